@@ -1,0 +1,73 @@
+# Each target does its own set-up, once; `make` alone lists the targets.
+
+PYTHON = python3
+TRIALS = 1000
+OUT =
+ARGS =
+JOBS = 2
+
+VENV = .venv
+BIN = $(VENV)/bin
+PIP_INSTALL = $(BIN)/python -m pip install --quiet --constraint constraints.txt
+RUNTIME = $(VENV)/.runtime-installed
+DEV = $(VENV)/.dev-installed
+GL = $(VENV)/.gl-checked
+
+# Handed over as environment variables, so that the shell never parses their text.
+export TRIALS OUT
+
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+.DEFAULT_GOAL = help
+.DELETE_ON_ERROR:
+.PHONY: help train test lint study bench constraints clean
+
+help: ## list the targets
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1|\2/p' Makefile | \
+	while IFS='|' read -r name text; do printf '  make %-12s %s\n' "$$name" "$$text"; done
+	@printf '\n  ARGS="..." hands further options to the command behind a target.\n'
+
+train: $(RUNTIME) $(GL) ## train on live physics: TRIALS=1000, OUT=<new folder>
+	@$(BIN)/python scripts/train.py --trials="$$TRIALS" $${OUT:+--out="$$OUT"} $(ARGS)
+
+test: lint $(GL) ## lint, then every fast test
+	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal $(ARGS)
+
+lint: $(DEV) ## style, format and import contracts
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/lint-imports
+
+study: $(DEV) $(GL) ## the slow studies: success rates, learning on image banks
+	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m slow --timeout 7200 $(ARGS)
+
+bench: $(RUNTIME) $(GL) ## simulated seconds per wall second, and where the time goes
+	@$(BIN)/python scripts/bench.py $(ARGS)
+
+constraints: ## pin in constraints.txt what .venv holds now
+	@test -x $(BIN)/python || { echo 'error: no $(VENV) yet; run make test first' >&2; exit 2; }
+	@{ sed -n '/^#/p' constraints.txt; \
+	$(BIN)/python -m pip freeze --all --exclude-editable --exclude setuptools \
+	--exclude prospect-mj; } > constraints.txt.new
+	@mv constraints.txt.new constraints.txt
+
+clean: ## remove the virtual environment and every cache; runs/ stays
+	rm -rf $(VENV) build dist .pytest_cache .ruff_cache .import_linter_cache .hypothesis
+	find prospect_mj scripts tests -type d -name __pycache__ -prune -exec rm -rf {} +
+
+$(RUNTIME): pyproject.toml constraints.txt
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
+	echo 'error: $(PYTHON) must be Python 3.11 or newer;' \
+	'name another one with: make PYTHON=python3.12 ...' >&2; exit 2; }
+	@echo 'Setting up $(VENV) (once, a few minutes) ...'
+	@$(PYTHON) -m venv $(VENV)
+	@$(PIP_INSTALL) 'pip>=25.1'
+	@$(PIP_INSTALL) --editable .
+	@touch $@
+
+$(DEV): $(RUNTIME)
+	@$(PIP_INSTALL) --group dev
+	@touch $@
+
+$(GL): $(RUNTIME)
+	@$(BIN)/python -m prospect_mj.sim.gl
+	@touch $@

@@ -1,0 +1,78 @@
+"""Insert Left, Insert Right: lower the jar into the receptacle, free end first."""
+
+import numpy as np
+
+from prospect_mj.actions import plan, poses
+from prospect_mj.actions.action import ActionResult
+from prospect_mj.actions.plan import Plan, Robot, Step
+from prospect_mj.control.fine_motion import FineMotion
+from prospect_mj.control.gross_motion import GrossMotion
+from prospect_mj.control.hand_motion import HandMotion
+from prospect_mj.control.insertion import InsertionController, InsertionResult
+from prospect_mj.control.posture_motion import PostureMotion
+from prospect_mj.control.result import ControlResult, Status
+from prospect_mj.robot import names, posture
+from prospect_mj.robot.names import Side
+
+_UP = np.array([0.0, 0.0, 1.0])
+_VIA_OFFSET = np.array([0.03, 0.08, 0.0])
+"""To the holding hand's side of the receptacle [m]: room to turn the jar upright."""
+
+
+def insert(robot: Robot, side: Side) -> Plan:
+    """Turn the jar upright over the receptacle, lower it by feel, let go if it fits."""
+    aligned = yield from _align(robot, side)
+    if not aligned.converged:
+        return (yield from _abandon(robot, side, aligned))
+    arm, work = robot.arms[side], robot.workspace
+    bottom = robot.held_jar(side).translation()[2] - work.jar_length / 2
+    free = bottom - work.well[2]
+    lowering = InsertionController(
+        arm,
+        arm.grasp_pose(),
+        free,
+        free + work.well_depth,
+        posture.over_well(side),
+    )
+    result = yield from plan.run(lowering)
+    if result.converged:
+        yield from _release(robot, side)
+        return ActionResult.SUCCESS
+    return (yield from _abandon(robot, side, result))
+
+
+def _align(robot: Robot, side: Side) -> Step:
+    """Upright beside the receptacle first, then exactly above its centre."""
+    arm, work = robot.arms[side], robot.workspace
+    held, reference = robot.belief.held[side], posture.over_well(side)
+    offset = _VIA_OFFSET * [1, names.sign(side), 1]
+    beside = work.over_well(work.via_height) + offset
+    target = poses.jar_over(side, arm.grasp_pose(), held, beside, _UP)
+    reached = yield from plan.run(GrossMotion(arm, target, reference, carrying=True))
+    if not reached.converged:
+        return reached
+    above = work.over_well(work.rim_clearance)
+    target = poses.jar_over(side, arm.grasp_pose(), held, above, _UP)
+    return (yield from plan.run(FineMotion(arm, target, reference, carrying=True)))
+
+
+def _release(robot: Robot, side: Side) -> plan.Steps:
+    arm = robot.arms[side]
+    yield (HandMotion(side),)
+    del robot.belief.held[side]
+    above = poses.raised(arm.grasp_pose(), robot.workspace.stand_off)
+    yield (FineMotion(arm, above, posture.over_well(side)),)
+    yield (PostureMotion(arm, posture.home(side)),)
+
+
+def _abandon(robot: Robot, side: Side, result: ControlResult) -> Plan:
+    """Back to where a held jar is kept, if it is still held."""
+    if result.status is Status.LOST:
+        yield from plan.drop(robot, side)
+        return ActionResult.LOST
+    presented = yield from plan.present(robot, side)
+    if presented.status is Status.LOST:
+        yield from plan.drop(robot, side)
+        return ActionResult.LOST
+    jammed = isinstance(result, InsertionResult) and result.jammed
+    return ActionResult.JAMMED if jammed else ActionResult.NOT_REACHED

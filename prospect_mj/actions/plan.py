@@ -1,0 +1,96 @@
+"""Plans: actions as sequences of controllers, written as generators.
+
+A plan yields controllers that run at the same time until all have a result, goes on
+from their results, and returns how the action ended. It neither steps physics nor
+sees the simulator.
+"""
+
+from collections.abc import Generator
+from dataclasses import dataclass
+
+import mink
+import numpy as np
+
+from prospect_mj.actions.action import ActionResult
+from prospect_mj.actions.belief import Belief
+from prospect_mj.actions.poses import jar_over
+from prospect_mj.actions.workspace import Workspace
+from prospect_mj.control.arm_control import ArmControl
+from prospect_mj.control.controller import Controller
+from prospect_mj.control.fine_motion import FineMotion
+from prospect_mj.control.gross_motion import GrossMotion
+from prospect_mj.control.hand_motion import HandMotion
+from prospect_mj.control.posture_motion import PostureMotion
+from prospect_mj.control.result import ControlResult, Status
+from prospect_mj.robot import posture
+from prospect_mj.robot.names import Side
+
+Plan = Generator[tuple[Controller, ...], None, ActionResult]
+Step = Generator[tuple[Controller, ...], None, ControlResult]
+Steps = Generator[tuple[Controller, ...], None, None]
+
+
+@dataclass(frozen=True)
+class Robot:
+    """What plans are written over."""
+
+    arms: dict[Side, ArmControl]
+    belief: Belief
+    workspace: Workspace
+
+    def held_jar(self, side: Side) -> mink.SE3:
+        """Pose in the world of the jar that a hand holds."""
+        return self.arms[side].grasp_pose() @ self.belief.held[side]
+
+
+def run(controller: Controller) -> Step:
+    """Run one controller alone."""
+    yield (controller,)
+    assert controller.result is not None
+    return controller.result
+
+
+def failure(result: ControlResult) -> ActionResult:
+    """What a motion's failure means for its action."""
+    lost = result.status is Status.LOST
+    return ActionResult.LOST if lost else ActionResult.NOT_REACHED
+
+
+def withdraw(robot: Robot, side: Side, target: mink.SE3) -> Steps:
+    """Open a hand, back it out to `target` and bring its arm home."""
+    arm = robot.arms[side]
+    yield (HandMotion(side),)
+    yield (FineMotion(arm, target, arm_posture(arm)),)
+    yield (PostureMotion(arm, posture.home(side)),)
+
+
+def arm_posture(arm: ArmControl) -> np.ndarray:
+    """The reference posture (7,) [rad] of an arm at work in front of the chest."""
+    return posture.home(arm.side)
+
+
+def present(robot: Robot, side: Side) -> Step:
+    """Bring a held jar to where it is kept between actions, lying along y."""
+    arm = robot.arms[side]
+    target = jar_over(
+        side,
+        arm.grasp_pose(),
+        robot.belief.held[side],
+        robot.workspace.presentation,
+        outward(side),
+    )
+    motion = GrossMotion(arm, target, posture.home(side), carrying=True)
+    return (yield from run(motion))
+
+
+def outward(side: Side) -> np.ndarray:
+    """Unit vector (3,) from the midline to a side."""
+    return np.array([0.0, 1.0 if side == "left" else -1.0, 0.0])
+
+
+def drop(robot: Robot, side: Side) -> Steps:
+    """Give up a jar that has left the hand: forget it and bring the arm home."""
+    robot.belief.held.pop(side, None)
+    robot.belief.seen = None
+    yield (HandMotion(side),)
+    yield (PostureMotion(robot.arms[side], posture.home(side)),)

@@ -1,0 +1,93 @@
+"""Run a plan on the live simulation: the loop from sensors to servos."""
+
+from collections.abc import Callable
+
+from prospect_mj.actions.action import Action, ActionOutcome, ControllerRun
+from prospect_mj.actions.belief import Belief
+from prospect_mj.actions.grasp import grasp
+from prospect_mj.actions.insert import insert
+from prospect_mj.actions.plan import Plan, Robot
+from prospect_mj.actions.swap import swap
+from prospect_mj.actions.workspace import workspace
+from prospect_mj.control.arm_control import ArmControl
+from prospect_mj.control.controller import CONTROL_PERIOD, Controller
+from prospect_mj.control.differential_ik import DifferentialIK
+from prospect_mj.control.kinematics import KinematicTwin
+from prospect_mj.robot.names import SIDES, Side
+from prospect_mj.robot.torso import Torso
+from prospect_mj.sim.simulation import Simulation
+
+_PLANS: dict[Action, tuple[Callable[[Robot, Side], Plan], Side]] = {
+    Action.GRASP_LEFT: (grasp, "left"),
+    Action.GRASP_RIGHT: (grasp, "right"),
+    Action.SWAP_LEFT_TO_RIGHT: (swap, "left"),
+    Action.SWAP_RIGHT_TO_LEFT: (swap, "right"),
+    Action.INSERT_LEFT: (insert, "left"),
+    Action.INSERT_RIGHT: (insert, "right"),
+}
+
+
+class ActionRunner:
+    """Executes the six actions on a simulation.
+
+    Args:
+        simulation: the live physics.
+
+    Attributes:
+        twin: the kinematic twin that all controllers share.
+        belief: what the robot knows of the jar in this trial.
+    """
+
+    def __init__(self, simulation: Simulation) -> None:
+        """Build the twin and both arms' inverse kinematics."""
+        self._simulation = simulation
+        self._torso = Torso(simulation.model, simulation.data)
+        self._substeps = simulation.substeps(CONTROL_PERIOD)
+        self.twin = KinematicTwin(simulation.settings)
+        self._arms = {
+            side: ArmControl(side, self.twin, DifferentialIK(self.twin, side))
+            for side in SIDES
+        }
+        self._workspace = workspace(simulation.settings.props)
+        self.belief = Belief()
+
+    def begin(self, belief: Belief) -> None:
+        """Start a trial with what the first look told."""
+        self.belief = belief
+        self.twin.update(self._torso.read())
+
+    def execute(self, action: Action) -> ActionOutcome:
+        """Run an action to its end; whether it may run is the supervisor's affair."""
+        write, side = _PLANS[action]
+        plan = write(Robot(self._arms, self.belief, self._workspace), side)
+        start = self._simulation.data.time
+        runs: list[ControllerRun] = []
+        self.twin.update(self._torso.read())
+        while True:
+            try:
+                controllers = next(plan)
+            except StopIteration as end:
+                seconds = float(self._simulation.data.time - start)
+                return ActionOutcome(action, True, end.value, seconds, tuple(runs))
+            self._run(controllers)
+            runs += [_record(controller) for controller in controllers]
+
+    def _run(self, controllers: tuple[Controller, ...]) -> None:
+        """Let controllers run at the same time until every one has a result."""
+        while running := [c for c in controllers if c.result is None]:
+            reading = self._torso.read()
+            self.twin.update(reading)
+            for controller in running:
+                targets = controller.update(reading)
+                arm = self._torso.arms[controller.side]
+                if targets.joints is not None:
+                    arm.command_joints(targets.joints)
+                if targets.fingers is not None:
+                    arm.command_fingers(targets.fingers)
+            self._simulation.step(self._substeps)
+        self.twin.update(self._torso.read())
+
+
+def _record(controller: Controller) -> ControllerRun:
+    assert controller.result is not None
+    return ControllerRun(type(controller).__name__, controller.side, controller.result)

@@ -1,0 +1,58 @@
+"""Places and distances of the task that the actions share; known to the robot."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from prospect_mj.sim.props import Props
+
+
+@dataclass(frozen=True)
+class Workspace:
+    """What the robot knows of the task beforehand: sizes and fixed places, no poses of
+    the jar."""  # noqa: D205, D209
+
+    jar_length: float
+    """[m]"""
+    jar_weight: float
+    """[N]"""
+    well: np.ndarray
+    """Centre of the rim (3,) [m]."""
+    well_depth: float
+    """[m]"""
+    presentation: np.ndarray
+    """Where a held jar is kept between actions, and swapped (3,) [m]."""
+    grip_inset: float = 0.020
+    """Grip plane from the jar's end [m]."""
+    stand_off: float = 0.13
+    """From which a hand approaches, and to which it backs out [m]."""
+    lift: float = 0.05
+    """Straight up out of the cradle [m]."""
+    rim_clearance: float = 0.03
+    """Between the rim and the jar's lower end before the descent [m]."""
+    via_height: float = 0.16
+    """Of the jar's lower end above the rim while it is turned upright [m]."""
+
+    @property
+    def reach(self) -> float:
+        """Centre of the jar to the grip plane [m]."""
+        return self.jar_length / 2 - self.grip_inset
+
+    def over_well(self, height: float) -> np.ndarray:
+        """Centre (3,) [m] of an upright jar whose lower end is `height` above the rim."""
+        return self.well + [0, 0, height + self.jar_length / 2]
+
+
+PRESENTATION = (0.50, 0.0, 0.44)
+"""In front of the chest, within reach of both hands [m]."""
+
+
+def workspace(props: Props) -> Workspace:
+    """The workspace of a scene."""
+    return Workspace(
+        jar_length=props.jar.length,
+        jar_weight=props.jar.mass * 9.81,
+        well=np.array([*props.well.position, props.well.rim_height]),
+        well_depth=props.well.depth,
+        presentation=np.array(PRESENTATION),
+    )

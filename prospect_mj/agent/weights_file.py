@@ -1,0 +1,80 @@
+"""The file format of learned weights: a NumPy archive, read without pickle."""
+
+import io
+import json
+import zipfile
+import zlib
+from dataclasses import asdict
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from prospect_mj.agent.settings import LearnerSettings
+from prospect_mj.agent.storage import replace_file
+from prospect_mj.errors import InvalidValue
+
+_FORMAT = "prospect_mj linear Q 1"
+
+
+class StoredWeights(NamedTuple):
+    """Everything that a learner remembers."""
+
+    settings: LearnerSettings
+    """Its parameters."""
+    weights: NDArray[np.float64]
+    """theta, (n_actions, n_features)."""
+    n_updates: int
+    """Transitions learned from so far."""
+
+
+def write(path: Path, stored: StoredWeights) -> None:
+    """Write `stored` to `path`, all or nothing; equal content gives equal bytes."""
+    buffer = io.BytesIO()
+    np.savez(
+        buffer,
+        format=np.array(_FORMAT),
+        settings=np.array(json.dumps(asdict(stored.settings))),
+        weights=stored.weights,
+        n_updates=np.array(stored.n_updates, dtype=np.int64),
+    )
+    replace_file(path, buffer.getvalue())
+
+
+def read(path: Path) -> StoredWeights:
+    """Read what `write` wrote.
+
+    Raises:
+        InvalidValue: if the file cannot be read, is damaged, or is another's.
+    """
+    try:
+        with path.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
+            return _decoded({name: archive[name] for name in archive.files})
+    except (
+        OSError,
+        EOFError,
+        ValueError,
+        KeyError,
+        TypeError,
+        AttributeError,
+        zipfile.BadZipFile,
+        zlib.error,
+    ) as error:
+        raise InvalidValue(
+            "weights file", str(path), "a readable file written by LinearQ.save"
+        ) from error
+
+
+def _decoded(archive: dict[str, NDArray]) -> StoredWeights:
+    """Check the archive's content; any of the errors above says that it is foreign."""
+    if str(archive["format"]) != _FORMAT:
+        raise ValueError(str(archive["format"]))
+    settings = LearnerSettings(**json.loads(str(archive["settings"])))
+    weights = archive["weights"]
+    shape = (settings.n_actions, settings.n_features)
+    if weights.dtype != np.float64 or weights.shape != shape:
+        raise ValueError(weights.shape)
+    if not np.isfinite(weights).all():
+        raise ValueError("weights that are not finite")
+    return StoredWeights(settings, weights, int(archive["n_updates"]))

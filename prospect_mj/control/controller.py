@@ -1,0 +1,51 @@
+"""The life of a closed-loop controller: update until it has a result."""
+
+from abc import ABC, abstractmethod
+
+from prospect_mj.control.result import ControlResult, Status, Targets
+from prospect_mj.robot.names import Side
+from prospect_mj.robot.torso import Reading
+
+CONTROL_PERIOD = 0.02
+"""Between two updates of every controller [s]."""
+
+
+class Controller(ABC):
+    """A control law with a convergence predicate, a time budget and a result.
+
+    A controller reads sensors and returns servo targets; it never steps physics.
+
+    Args:
+        side: the arm it moves.
+        time_budget: after which it gives up [s].
+
+    Attributes:
+        result: None while it runs.
+    """
+
+    def __init__(self, side: Side, time_budget: float) -> None:
+        """Start with a full time budget."""
+        self.side: Side = side
+        self.time_budget = time_budget
+        self.result: ControlResult | None = None
+        self._ticks = 0
+
+    @property
+    def seconds(self) -> float:
+        """How long it has run [s]."""
+        return self._ticks * CONTROL_PERIOD
+
+    def update(self, reading: Reading) -> Targets:
+        """One control period: sense, and either finish or ask for servo targets."""
+        targets = self._law(reading)
+        self._ticks += 1
+        if self.result is None and self.seconds >= self.time_budget:
+            self._finish(Status.OUT_OF_TIME, f"after {self.time_budget:g} s")
+        return targets
+
+    def _finish(self, status: Status, reason: str = "") -> None:
+        self.result = ControlResult(status, reason, self.seconds)
+
+    @abstractmethod
+    def _law(self, reading: Reading) -> Targets:
+        """The control law; calls `_finish` when its predicate holds or it must stop."""

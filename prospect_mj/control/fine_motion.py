@@ -1,0 +1,32 @@
+"""Fine motion: slow and exact Cartesian movements of a hand over the last decimetres."""
+
+import mink
+import numpy as np
+
+from prospect_mj.control.arm_control import ArmControl
+from prospect_mj.control.cartesian_motion import CartesianMotion, MotionSettings
+
+FINE = MotionSettings(
+    speed=0.25,
+    turn_speed=1.5,
+    position_tolerance=0.002,
+    angle_tolerance=0.015,
+    free_roll=False,
+    windup=0.15,
+    time_budget=4.0,
+)
+
+
+class FineMotion(CartesianMotion):
+    """Position a hand exactly, all six degrees of freedom held."""
+
+    def __init__(
+        self,
+        arm: ArmControl,
+        target: mink.SE3,
+        posture: np.ndarray,
+        carrying: bool = False,
+        settings: MotionSettings = FINE,
+    ) -> None:
+        """Start towards `target`, the redundancy drawn to `posture` (7,) [rad]."""
+        super().__init__(arm, target, posture, settings, carrying)

@@ -1,0 +1,246 @@
+"""Grasp control: probe, correct by the force and moment residuals, squeeze, lock.
+
+After Coelho & Grupen (1997): the fingers close until each touches, the contacts'
+residual is measured, the fingers lift off and the hand moves so as to reduce it. For
+three contacts evenly round a cylinder of radius r an offset d of the hand gives
+rho_f = -(3/2) d / r, a tilt a gives rho_m = (3/2) a, which the hand takes back in one
+damped Newton step. Displacing the hand while the fingers still touch would drag the
+object along and leave the residual as it was. Once the residual is small the fingers
+squeeze and stay where they are: the hand is non-backdrivable.
+"""
+
+from collections.abc import Generator
+from dataclasses import dataclass
+
+import mink
+import numpy as np
+
+from prospect_mj.control.arm_control import ArmControl
+from prospect_mj.control.cartesian_motion import HandServo, MotionSettings
+from prospect_mj.control.contact_residual import (
+    ContactResidual,
+    contact_residual,
+    required_friction,
+)
+from prospect_mj.control.controller import CONTROL_PERIOD, Controller
+from prospect_mj.control.result import ControlResult, Status, Targets
+from prospect_mj.robot.torso import ArmReading, Reading
+
+_CORRECTION = MotionSettings(
+    speed=0.10,
+    turn_speed=1.0,
+    position_tolerance=0.0008,
+    angle_tolerance=0.008,
+    free_roll=False,
+    windup=0.15,
+    time_budget=0.6,
+)
+
+
+@dataclass(frozen=True)
+class GraspSettings:
+    """How to probe and how hard to squeeze."""
+
+    closing_speed: float = 1.2
+    """Of the finger motors [rad/s]."""
+    touch_force: float = 0.3
+    """At which a finger stops closing [N]."""
+    touch_lead: float = 0.008
+    """Servo lead that keeps a stopped finger in touch [rad]."""
+    closed: float = 1.9
+    """Motor angle at which nothing can be between the fingers any more [rad]."""
+    settle_time: float = 0.06
+    """All three must touch for this long before the residual counts [s]."""
+    residual_threshold: float = 0.01
+    """eps below which the contacts balance [1]."""
+    rate_threshold: float = 0.2
+    """|d eps/dt| below which the residual is at rest [1/s]."""
+    gain: float = 0.9
+    """Share of the Newton step taken per probe."""
+    contact_radius: float = 0.05
+    """Object radius plus fingertip radius [m]."""
+    lift_off: float = 0.16
+    """How far the fingers open before the hand is displaced [rad]."""
+    lift_off_time: float = 0.1
+    """[s]"""
+    max_probes: int = 6
+    squeeze_lead: float = 0.065
+    """Final servo lead [rad]; 25 N m/rad make 15 N per fingertip of it."""
+    squeeze_time: float = 0.2
+    """[s]"""
+    least_force: float = 4.0
+    """Every fingertip must press at least this hard in the end [N]."""
+    time_budget: float = 8.0
+    """[s]"""
+
+
+@dataclass(frozen=True)
+class GraspResult(ControlResult):
+    """The end of a grasp; the numbers are None if the object was never touched."""
+
+    residual: float | None = None
+    """eps at the last probe [1]."""
+    residual_rate: float | None = None
+    """d eps/dt at the last probe [1/s]."""
+    required_friction: float | None = None
+    """Coefficient that the contacts need, infinite if they cannot balance."""
+    probes: int = 0
+    trajectory: tuple[tuple[float, float], ...] = ()
+    """(seconds, eps) of every control period in which all three tips touched."""
+
+
+class GraspController(Controller):
+    """Close the hand of one arm on whatever is between its fingers.
+
+    Args:
+        arm: which arm, and its kinematics.
+        posture: joint angles (7,) [rad] that resolve the redundancy.
+        settings: of probing and squeezing.
+    """
+
+    def __init__(
+        self,
+        arm: ArmControl,
+        posture: np.ndarray,
+        settings: GraspSettings | None = None,
+    ) -> None:
+        """Start from an open hand round the object."""
+        self._settings = GraspSettings() if settings is None else settings
+        super().__init__(arm.side, self._settings.time_budget)
+        self._arm = arm
+        self._servo = HandServo(arm, posture, _CORRECTION)
+        self._probes = 0
+        self._residual: ContactResidual | None = None
+        self._rate: float | None = None
+        self._friction: float | None = None
+        self._trajectory: list[tuple[float, float]] = []
+        self._procedure = self._grasp()
+        next(self._procedure)
+
+    def _law(self, reading: Reading) -> Targets:
+        try:
+            return self._procedure.send(reading[self.side])
+        except StopIteration:
+            return Targets()
+
+    def _finish(self, status: Status, reason: str = "") -> None:
+        self.result = GraspResult(
+            status,
+            reason,
+            self.seconds,
+            residual=None if self._residual is None else self._residual.value,
+            residual_rate=self._rate,
+            required_friction=self._friction,
+            probes=self._probes,
+            trajectory=tuple(self._trajectory),
+        )
+
+    def _grasp(self) -> Generator[Targets, ArmReading, None]:
+        own = yield Targets()
+        while True:
+            own = yield from self._touch(own)
+            if self._residual is None:
+                self._finish(Status.LOST, "the fingers closed without touching")
+                return
+            if self._balanced():
+                break
+            if self._probes >= self._settings.max_probes:
+                reason = f"residual {self._residual.value:.3f} does not fall"
+                self._finish(Status.STALLED, reason)
+                return
+            own = yield from self._correct(own)
+        own = yield from self._squeeze(own)
+        self._judge(own)
+
+    def _balanced(self) -> bool:
+        settings = self._settings
+        assert self._residual is not None
+        assert self._rate is not None
+        at_rest = abs(self._rate) < settings.rate_threshold
+        return self._residual.value < settings.residual_threshold and at_rest
+
+    def _touch(self, own: ArmReading) -> Generator[Targets, ArmReading, ArmReading]:
+        """Close each finger until it touches; measure the residual of the contacts."""
+        settings = self._settings
+        self._probes += 1
+        self._residual = None
+        settled, motors = 0.0, own.finger_command
+        step = settings.closing_speed * CONTROL_PERIOD
+        while settled < settings.settle_time:
+            # Measured, not commanded: the servo lags, and would push on by its lag.
+            touching = own.touch.found & (own.touch.force > settings.touch_force)
+            held = own.fingers + settings.touch_lead
+            motors = np.where(touching, held, np.maximum(motors, own.fingers) + step)
+            if (motors > settings.closed).any():
+                self._residual = None
+                return own
+            settled = settled + CONTROL_PERIOD if touching.all() else 0.0
+            if touching.all():
+                self._measure(own)
+            own = yield Targets(fingers=motors)
+        return own
+
+    def _measure(self, own: ArmReading) -> None:
+        before = self._residual
+        touch = own.touch
+        self._residual = contact_residual(touch.position, touch.normal)
+        self._friction = required_friction(touch.position, touch.normal)
+        change = 0.0 if before is None else self._residual.value - before.value
+        self._rate = change / CONTROL_PERIOD
+        self._trajectory.append((self.seconds, self._residual.value))
+
+    def _correct(self, own: ArmReading) -> Generator[Targets, ArmReading, ArmReading]:
+        """Lift the fingers off, then take back the offset and tilt of the hand."""
+        settings = self._settings
+        assert self._residual is not None
+        target = self._corrected(self._residual)
+        apart = own.fingers - settings.lift_off
+        for _ in range(round(settings.lift_off_time / CONTROL_PERIOD)):
+            own = yield Targets(fingers=apart)
+        for _ in range(round(_CORRECTION.time_budget / CONTROL_PERIOD)):
+            error = self._servo.error(target)
+            if (
+                error.position < _CORRECTION.position_tolerance
+                and error.angle < _CORRECTION.angle_tolerance
+            ):
+                break
+            own = yield Targets(joints=self._servo.step(own, target))
+        return own
+
+    def _corrected(self, residual: ContactResidual) -> mink.SE3:
+        settings = self._settings
+        pose = self._arm.grasp_pose()
+        palm_axis = pose.rotation().as_matrix()[:, 2]
+        share = settings.gain / 1.5
+        shift = share * settings.contact_radius * _across(residual.force, palm_axis)
+        turn = -share * _across(residual.moment, palm_axis)
+        rotation = mink.SO3.exp(turn) @ pose.rotation()
+        return mink.SE3.from_rotation_and_translation(
+            rotation, pose.translation() + shift
+        )
+
+    def _squeeze(self, own: ArmReading) -> Generator[Targets, ArmReading, ArmReading]:
+        """Press with all fingers together, then leave the motors where they are."""
+        settings = self._settings
+        start = own.fingers
+        n = round(settings.squeeze_time / CONTROL_PERIOD)
+        for i in range(n):
+            lead = settings.touch_lead + (i + 1) / n * (
+                settings.squeeze_lead - settings.touch_lead
+            )
+            own = yield Targets(fingers=start + lead)
+        for _ in range(round(settings.settle_time / CONTROL_PERIOD)):
+            own = yield Targets()
+        return own
+
+    def _judge(self, own: ArmReading) -> None:
+        weakest = float(own.touch.force.min())
+        if not own.touch.found.all() or weakest < self._settings.least_force:
+            reason = f"the weakest fingertip presses with {weakest:.1f} N"
+            self._finish(Status.LOST, reason)
+        else:
+            self._finish(Status.CONVERGED)
+
+
+def _across(vector: np.ndarray, axis: np.ndarray) -> np.ndarray:
+    return vector - (vector @ axis) * axis

@@ -1,0 +1,32 @@
+"""Gross motion: large, quick and coarse movements of a hand, roll left free."""
+
+import mink
+import numpy as np
+
+from prospect_mj.control.arm_control import ArmControl
+from prospect_mj.control.cartesian_motion import CartesianMotion, MotionSettings
+
+GROSS = MotionSettings(
+    speed=0.5,
+    turn_speed=3.0,
+    position_tolerance=0.015,
+    angle_tolerance=0.10,
+    free_roll=True,
+    windup=0.15,
+    time_budget=5.0,
+)
+
+
+class GrossMotion(CartesianMotion):
+    """Reach straight for a pose; mink's limits keep the links clear of everything."""
+
+    def __init__(
+        self,
+        arm: ArmControl,
+        target: mink.SE3,
+        posture: np.ndarray,
+        carrying: bool = False,
+        settings: MotionSettings = GROSS,
+    ) -> None:
+        """Start towards `target`, the redundancy drawn to `posture` (7,) [rad]."""
+        super().__init__(arm, target, posture, settings, carrying)

@@ -1,0 +1,39 @@
+"""Hand motion: bring the fingers to an opening."""
+
+import numpy as np
+
+from prospect_mj.control.controller import CONTROL_PERIOD, Controller
+from prospect_mj.control.result import Status, Targets
+from prospect_mj.robot import posture
+from prospect_mj.robot.names import Side
+from prospect_mj.robot.torso import Reading
+
+OPENING_SPEED = 1.5
+"""Of the finger motors [rad/s]."""
+TOLERANCE = 0.03
+"""Largest finger error [rad]."""
+
+
+class HandMotion(Controller):
+    """Open (or close) the fingers to a common motor angle.
+
+    Args:
+        side: which hand.
+        angle: proximal angle to reach [rad].
+        time_budget: after which it gives up [s].
+    """
+
+    def __init__(
+        self, side: Side, angle: float = posture.OPEN, time_budget: float = 2.0
+    ) -> None:
+        """Start from wherever the fingers are."""
+        super().__init__(side, time_budget)
+        self._angle = angle
+
+    def _law(self, reading: Reading) -> Targets:
+        own = reading[self.side]
+        if np.abs(own.fingers - self._angle).max() < TOLERANCE:
+            self._finish(Status.CONVERGED)
+        step = OPENING_SPEED * CONTROL_PERIOD
+        towards = np.clip(self._angle - own.finger_command, -step, step)
+        return Targets(fingers=own.finger_command + towards)

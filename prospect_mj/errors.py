@@ -1,0 +1,44 @@
+"""The exceptions of this package: programming and input errors, never control failure.
+
+A controller that does not converge returns a value (`prospect_mj.control.result`);
+an exception here means that the caller asked for something that does not exist.
+"""
+
+from collections.abc import Iterable
+
+
+class ProspectError(Exception):
+    """Base of every error that this package raises on purpose."""
+
+
+class InvalidChoice(ProspectError, ValueError):
+    """A value that is not among the valid ones, which the message lists."""
+
+    def __init__(self, what: str, value: object, valid: Iterable[object]) -> None:
+        """Name the bad value and the valid ones."""
+        choices = ", ".join(str(choice) for choice in valid)
+        super().__init__(f"{what} is {value!r}; valid: {choices}")
+
+
+class InvalidValue(ProspectError, ValueError):
+    """A value outside of its range or of the wrong shape."""
+
+    def __init__(self, what: str, value: object, expected: str) -> None:
+        """Name the bad value and what was expected instead."""
+        super().__init__(f"{what} is {value!r}; expected {expected}")
+
+
+class MissingFile(ProspectError, FileNotFoundError):
+    """A model or asset file that should ship with the package is not there."""
+
+
+class RunFolderError(ProspectError):
+    """A run folder that cannot be used: foreign, unreadable, occupied or different."""
+
+
+class RenderingUnavailable(ProspectError):
+    """No OpenGL context can be made; the message names the package to install."""
+
+
+class SimulationDiverged(ProspectError):
+    """MuJoCo raised a warning (bad acceleration, full buffers): the physics is void."""

@@ -1,0 +1,103 @@
+"""Settings of a training run."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field, fields, replace
+from typing import Any, Literal, Self, get_args
+
+from prospect_mj.agent.features import N_FEATURES, FeatureSettings
+from prospect_mj.agent.settings import LearnerSettings
+from prospect_mj.errors import InvalidChoice, InvalidValue, ProspectError
+from prospect_mj.experiment.records import ACTION_NAMES
+
+Orientation = Literal["left", "right"]
+Supervisor = Literal["none", "safe", "productive"]
+ObjectPose = Literal["vision", "truth"]
+
+ORIENTATIONS: tuple[Orientation, ...] = get_args(Orientation)
+
+_MOST_TRIALS = 1_000_000
+_LARGEST_SEED = 2**63 - 1
+
+
+@dataclass(frozen=True)
+class TrainConfig:
+    """Everything that decides the numbers of a training run."""
+
+    trials: int = 1000
+    """All trials of the run, those of the pretraining included."""
+    pretrain: int = 0
+    """Of these, the first ones show one orientation only; 0: no dominant hand."""
+    dominant: Orientation = "right"
+    """The hand that the pretraining makes dominant: the lid lies on its side."""
+    seed: int = 0
+    """Equal seeds give equal runs, bit for bit."""
+    supervisor: Supervisor = "none"
+    """Which actions the learner may choose from: none: all six; safe: not the
+    dangerous ones; productive: not the useless ones either."""
+    object_pose: ObjectPose = "vision"
+    """Where the controllers get the jar's pose from; truth is an ablation."""
+    max_actions: int = 10
+    """A trial is cut off after this many actions."""
+    bootstrap_at_truncation: bool = True
+    """Whether the last action of a cut-off trial counts the value of what follows."""
+    features: FeatureSettings = field(default_factory=FeatureSettings)
+    """The state features."""
+    learner: LearnerSettings = field(default_factory=LearnerSettings)
+    """The learner."""
+
+    def __post_init__(self) -> None:
+        """Refuse every number and choice that makes no run."""
+        _check_integer("trials", self.trials, 1, _MOST_TRIALS)
+        _check_integer("pretraining trials", self.pretrain, 0, self.trials)
+        _check_integer("seed", self.seed, 0, _LARGEST_SEED)
+        _check_integer("actions per trial", self.max_actions, 1, 1000)
+        _check_choice("dominant hand", self.dominant, Orientation)
+        _check_choice("supervisor", self.supervisor, Supervisor)
+        _check_choice("object pose", self.object_pose, ObjectPose)
+        n_actions = len(ACTION_NAMES)
+        _check_integer(
+            "number of actions", self.learner.n_actions, n_actions, n_actions
+        )
+        _check_integer(
+            "number of features", self.learner.n_features, N_FEATURES, N_FEATURES
+        )
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain nested dictionary, the inverse of `from_dict`."""
+        return asdict(self)
+
+    @classmethod
+    def from_dict(cls, plain: Mapping[str, Any]) -> Self:
+        """Build a configuration from what `as_dict` returned.
+
+        Raises:
+            ProspectError: if a setting is missing, unknown or out of range.
+        """
+        names = [setting.name for setting in fields(cls)]
+        if sorted(plain) != sorted(names):
+            raise InvalidChoice("settings", sorted(plain), names)
+        try:
+            return cls(
+                **{
+                    **plain,
+                    "features": FeatureSettings(**plain["features"]),
+                    "learner": LearnerSettings(**plain["learner"]),
+                }
+            )
+        except TypeError as error:
+            raise ProspectError(f"settings of the wrong type: {error}") from error
+
+    def with_trials(self, trials: int) -> Self:
+        """The same run, longer or shorter."""
+        return replace(self, trials=trials)
+
+
+def _check_integer(what: str, value: int, least: int, most: int) -> None:
+    expected = str(least) if least == most else f"an integer from {least} to {most}"
+    if not isinstance(value, int) or not least <= value <= most:
+        raise InvalidValue(what, value, expected)
+
+
+def _check_choice(what: str, value: str, choices: object) -> None:
+    if value not in get_args(choices):
+        raise InvalidChoice(what, value, get_args(choices))

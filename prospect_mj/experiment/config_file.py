@@ -1,0 +1,88 @@
+"""config.yaml: what a run is and which software made it."""
+
+import platform
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+import yaml
+
+from prospect_mj.agent.storage import replace_file
+from prospect_mj.errors import ProspectError, RunFolderError
+from prospect_mj.experiment.config import TrainConfig
+
+_FORMAT = 1
+
+# A run is bit-identical only within one version of each of these.
+PACKAGES = (
+    "prospect-mj",
+    "mujoco",
+    "dm-control",
+    "mink",
+    "daqp",
+    "qpsolvers",
+    "numpy",
+    "scipy",
+    "opencv-python-headless",
+    "gymnasium",
+)
+
+
+def installed_versions() -> dict[str, str]:
+    """Versions of the packages that decide a run's numbers."""
+    return {package: _version(package) for package in PACKAGES}
+
+
+def write(path: Path, config: TrainConfig) -> None:
+    """Write `config` and the installed versions, all or nothing."""
+    content = {
+        "prospect_mj_run": _FORMAT,
+        "config": config.as_dict(),
+        "versions": installed_versions(),
+        "platform": {
+            "python": platform.python_version(),
+            "machine": platform.machine(),
+            "system": platform.system(),
+        },
+    }
+    replace_file(path, yaml.safe_dump(content, sort_keys=False).encode())
+
+
+def read(path: Path) -> TrainConfig:
+    """Read a configuration that this software can continue exactly.
+
+    Raises:
+        RunFolderError: if the file is unreadable, foreign, or of other versions.
+    """
+    content = _parsed(path)
+    if not isinstance(content, dict) or content.get("prospect_mj_run") != _FORMAT:
+        raise RunFolderError(f"{path} is not the configuration of a run")
+    try:
+        config = TrainConfig.from_dict(content["config"])
+        stored = dict(content["versions"])
+    except (ProspectError, KeyError, TypeError, ValueError) as error:
+        raise RunFolderError(f"{path} is damaged: {error}") from error
+    _check_versions(path, stored)
+    return config
+
+
+def _parsed(path: Path) -> object:
+    try:
+        return yaml.safe_load(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+        raise RunFolderError(f"{path} can't be read: it is damaged") from error
+
+
+def _check_versions(path: Path, stored: dict[str, str]) -> None:
+    for package, installed in installed_versions().items():
+        if stored.get(package) != installed:
+            raise RunFolderError(
+                f"{path} was made with {package} {stored.get(package)}, "
+                f"{installed} is installed: the run can't be continued exactly"
+            )
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "not installed"

@@ -1,0 +1,51 @@
+"""The environment as the training sees it, and the real one."""
+
+from collections.abc import Callable, Mapping
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from prospect_mj.experiment.config import TrainConfig
+
+Info = Mapping[str, Any]
+
+
+class Environment(Protocol):
+    """What the training needs of a Gymnasium environment (see `PickPlace-v0`)."""
+
+    def reset(
+        self, *, seed: int, options: dict[str, Any]
+    ) -> tuple[NDArray[np.float64], Info]:
+        """Present the jar; `options["orientation"]` is the side of the lid."""
+
+    def step(self, action: int) -> tuple[NDArray[np.float64], float, bool, bool, Info]:
+        """Try one action: features, reward, terminated, truncated, info."""
+
+    def close(self) -> None:
+        """Release what the environment holds."""
+
+
+MakeEnvironment = Callable[[TrainConfig], Environment]
+
+
+def make_environment(config: TrainConfig) -> Environment:
+    """Make the live-physics environment that `config` asks for.
+
+    Raises:
+        ProspectError: if a model file is missing or nothing can be rendered.
+    """
+    # Only here: MuJoCo chooses its OpenGL library at import, and a mistyped option
+    # should not have to wait for it.
+    from prospect_mj.sim import gl
+
+    gl.configure()
+    from prospect_mj.envs.pick_place import PickPlaceEnv, PickPlaceSettings
+
+    settings = PickPlaceSettings(
+        supervisor=config.supervisor,
+        object_pose=config.object_pose,
+        max_actions=config.max_actions,
+        features=config.features,
+    )
+    return PickPlaceEnv(settings)

@@ -1,0 +1,55 @@
+"""Which folder a run may have, and that it has it alone."""
+
+import fcntl
+import os
+from pathlib import Path
+
+from prospect_mj.errors import RunFolderError
+
+DEFAULT_PARENT = Path("runs")
+
+
+def check_free(path: Path) -> None:
+    """Refuse a folder that a new run can't have, without touching it.
+
+    Raises:
+        RunFolderError: if `path` is a file, or a folder with something in it.
+    """
+    try:
+        if path.exists() and not path.is_dir():
+            raise RunFolderError(f"{path} is not a folder")
+        if path.exists() and any(path.iterdir()):
+            raise RunFolderError(
+                f"{path} is not empty; choose another folder, or --resume {path}"
+            )
+        ancestry = (path.absolute(), *path.absolute().parents)
+        nearest = next(folder for folder in ancestry if folder.exists())
+    except OSError as error:
+        raise RunFolderError(f"{path} can't be read: {error.strerror}") from error
+    if not nearest.is_dir() or not os.access(nearest, os.W_OK):
+        raise RunFolderError(f"{path} can't be made: {nearest} can't be written to")
+
+
+def new_default() -> Path:
+    """Make the first of runs/train-0001, runs/train-0002, ... that does not exist."""
+    DEFAULT_PARENT.mkdir(exist_ok=True)
+    number = 1
+    while True:
+        path = DEFAULT_PARENT / f"train-{number:04d}"
+        try:
+            path.mkdir()
+        except FileExistsError:
+            number += 1
+        else:
+            return path
+
+
+def lock(path: Path) -> int:
+    """Lock the folder itself, so that no lock file is left behind by a kill."""
+    descriptor = os.open(path, os.O_RDONLY)
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError as error:
+        os.close(descriptor)
+        raise RunFolderError(f"{path} is in use by another process") from error
+    return descriptor

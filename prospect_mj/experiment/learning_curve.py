@@ -1,0 +1,76 @@
+"""Numbers that describe a learning curve, as the paper's section 3.2 reports them."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+BLOCK = 10
+"""Trials per point of the paper's figure 5."""
+OPTIMUM = 2
+"""Actions of a solved trial without a wasted one: a grasp and an insertion."""
+NEAR_OPTIMAL = 2.4
+"""Mean actions from which a curve counts as near-optimal; an exploration rate of 0.05
+keeps the learnt policy at about 2.2."""
+
+
+def block_means(n_actions: ArrayLike, size: int = BLOCK) -> NDArray[np.float64]:
+    """Mean actions over successive sets of trials.
+
+    Args:
+        n_actions: (..., n_trials) [actions], runs may come first.
+        size: trials per set; trials that don't fill a last set are left out.
+
+    Returns:
+        (n_trials // size,) [actions], the mean over all runs too.
+    """
+    actions = np.asarray(n_actions, dtype=np.float64)
+    n_blocks = actions.shape[-1] // size
+    blocks = actions[..., : n_blocks * size].reshape(-1, n_blocks, size)
+    return blocks.mean(axis=(0, 2))
+
+
+def moving_mean(values: ArrayLike, window: int) -> NDArray[np.float64]:
+    """Mean over every run of `window` successive values.
+
+    Args:
+        values: (n,).
+        window: values per mean.
+
+    Returns:
+        (n - window + 1,), empty if there are too few values.
+    """
+    sequence = np.asarray(values, dtype=np.float64)
+    if sequence.size < window:
+        return np.empty(0)
+    return np.lib.stride_tricks.sliding_window_view(sequence, window).mean(axis=-1)
+
+
+def near_optimal_trial(means: ArrayLike, smoothing: int = 3) -> int | None:
+    """Trial from which the curve is near-optimal and stays so to its end.
+
+    Args:
+        means: (n_blocks,) [actions], from `block_means`.
+        smoothing: sets per moving mean, so that one unlucky set does not decide.
+
+    Returns:
+        First trial of the first such moving mean; None if the curve does not end
+        near-optimal.
+    """
+    smooth = moving_mean(means, smoothing)
+    above = np.flatnonzero(smooth > NEAR_OPTIMAL)
+    first = int(above[-1]) + 1 if above.size else 0
+    if first >= smooth.size:
+        return None
+    return first * BLOCK
+
+
+def first_near_optimal_window(n_actions: ArrayLike, window: int = 50) -> int | None:
+    """First of the first `window` successive trials with a near-optimal mean.
+
+    The measure for a single run, whose noise would break any "and stays so".
+
+    Args:
+        n_actions: (n_trials,) [actions].
+        window: trials per mean.
+    """
+    reached = np.flatnonzero(moving_mean(n_actions, window) <= NEAR_OPTIMAL)
+    return int(reached[0]) if reached.size else None

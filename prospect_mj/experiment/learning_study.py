@@ -1,0 +1,222 @@
+"""How fast the paper's learner learns from given pictures, all else being ideal.
+
+Many runs of the learner on banks of histograms, as the paper's section 3.2: without a
+dominant hand (random orientations from the start) and with one (pretraining with one
+orientation, then random ones). The published figures are near-optimal after about 650
+trials, after about 250 trials of pretraining, and a peak of over six actions when the
+random orientations begin.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import NamedTuple, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from prospect_mj.agent.features import N_BINS, FeatureSettings, StateFeatureGenerator
+from prospect_mj.agent.settings import LearnerSettings
+from prospect_mj.errors import InvalidValue
+from prospect_mj.experiment import ideal_task
+from prospect_mj.experiment.config import ORIENTATIONS, Orientation
+from prospect_mj.experiment.learning_curve import (
+    BLOCK,
+    OPTIMUM,
+    block_means,
+    near_optimal_trial,
+)
+
+Bank = Mapping[Orientation, NDArray[np.float64]]
+
+_LID_SIDE = {"left": ideal_task.LEFT, "right": ideal_task.RIGHT}
+
+
+@dataclass(frozen=True)
+class HistogramBanks:
+    """Raw histograms of many presentations, to learn from and to test on."""
+
+    train: Bank
+    """(n_images, 100) [pixels] per orientation."""
+    test: Bank
+    """(n_images, 100) [pixels] per orientation, never learned from."""
+
+    def __post_init__(self) -> None:
+        """Refuse banks that lack an orientation or hold something else."""
+        for bank in (self.train, self.test):
+            for orientation in ORIENTATIONS:
+                shape = np.shape(bank.get(orientation))
+                if len(shape) != 2 or shape[0] < 1 or shape[1] != N_BINS:
+                    raise InvalidValue(
+                        f"{orientation} bank's shape", shape, f"(n_images, {N_BINS})"
+                    )
+
+    def save(self, path: Path) -> None:
+        """Write the banks to one NumPy archive."""
+        banks = {"train": self.train, "test": self.test}
+        arrays = {
+            f"{name}_{orientation}": bank[orientation]
+            for name, bank in banks.items()
+            for orientation in ORIENTATIONS
+        }
+        np.savez_compressed(path, **arrays)
+
+    @classmethod
+    def load(cls, path: Path) -> Self:
+        """Read what `save` wrote.
+
+        Raises:
+            InvalidValue: if the archive lacks a bank.
+        """
+        with np.load(path, allow_pickle=False) as archive:
+            arrays = {name: archive[name] for name in archive.files}
+        train, test = (
+            {side: arrays.get(f"{name}_{side}") for side in ORIENTATIONS}
+            for name in ("train", "test")
+        )
+        return cls(train, test)
+
+
+@dataclass(frozen=True)
+class StudySettings:
+    """Size and conditions of the study."""
+
+    runs: int = 100
+    """Runs of the learner per condition."""
+    trials: int = 1000
+    """Trials per run."""
+    pretrain: int = 400
+    """Of these, pretraining, in the condition with a dominant hand."""
+    dominant: Orientation = "right"
+    """The lid's side in the pretraining."""
+    max_actions: int = 10
+    """A trial is cut off after this many actions."""
+    seed: int = 0
+    """Equal seeds give equal studies."""
+    features: FeatureSettings = field(default_factory=FeatureSettings)
+    """The state features."""
+    learner: LearnerSettings = field(default_factory=LearnerSettings)
+    """The learner."""
+
+    def __post_init__(self) -> None:
+        """Refuse numbers that make no study."""
+        if self.runs < 1:
+            raise InvalidValue("runs", self.runs, "at least 1")
+        if not BLOCK <= self.pretrain <= self.trials - 3 * BLOCK:
+            raise InvalidValue(
+                "pretraining trials",
+                self.pretrain,
+                f"{BLOCK} to {self.trials - 3 * BLOCK} of {self.trials} trials",
+            )
+
+
+@dataclass(frozen=True)
+class LearningStudy:
+    """What the study found; trials are as `near_optimal_trial` counts them."""
+
+    baseline_curve: NDArray[np.float64]
+    """(trials // 10,) [actions] over sets of ten trials, without a dominant hand."""
+    dominant_curve: NDArray[np.float64]
+    """(trials // 10,) [actions] over sets of ten trials, with a dominant hand."""
+    near_optimal: int | None
+    """Trial from which the first curve is near-optimal and stays so."""
+    pretraining_near_optimal: int | None
+    """Trial from which the pretraining is."""
+    peak_after_switch: float
+    """Largest mean actions of a set in the 30 trials after the pretraining."""
+    held_out_actions: float
+    """Mean actions of the frozen policies on the pictures held out; optimum 2."""
+    held_out_optimal: float
+    """Share of these solved in two actions [1]."""
+
+
+def learning_study(
+    banks: HistogramBanks, settings: StudySettings | None = None
+) -> LearningStudy:
+    """Run the learner in both conditions and sum up.
+
+    Args:
+        banks: what the learner sees.
+        settings: size of the study.
+    """
+    settings = StudySettings() if settings is None else settings
+    train = _scaled(banks.train, settings.features)
+    test = _scaled(banks.test, settings.features)
+    runs = [_run(train, test, settings, number) for number in range(settings.runs)]
+    baseline = block_means([run.baseline for run in runs])
+    dominant = block_means([run.dominant for run in runs])
+    held_out = np.concatenate([run.held_out for run in runs])
+    switch = settings.pretrain // BLOCK
+    return LearningStudy(
+        baseline_curve=baseline,
+        dominant_curve=dominant,
+        near_optimal=near_optimal_trial(baseline),
+        pretraining_near_optimal=near_optimal_trial(dominant[:switch]),
+        peak_after_switch=float(dominant[switch : switch + 3].max()),
+        held_out_actions=float(held_out.mean()),
+        held_out_optimal=float(np.mean(held_out == OPTIMUM)),
+    )
+
+
+class _Run(NamedTuple):
+    baseline: NDArray[np.int64]
+    dominant: NDArray[np.int64]
+    held_out: NDArray[np.int64]
+
+
+def _run(train: Bank, test: Bank, settings: StudySettings, number: int) -> _Run:
+    """One learner per condition; (n,) actions per trial and held-out picture."""
+    seed = np.random.SeedSequence(settings.seed, spawn_key=(number,))
+    rng = np.random.default_rng(seed)
+    sides = rng.choice(ORIENTATIONS, settings.trials)
+    baseline, weights = _learn(train, sides, settings, rng)
+    sides[: settings.pretrain] = settings.dominant
+    dominant, _ = _learn(train, sides, settings, rng)
+    held_out = _test(test, weights, settings, rng)
+    return _Run(baseline, dominant, held_out)
+
+
+def _learn(
+    bank: Bank,
+    sides: NDArray[np.str_],
+    settings: StudySettings,
+    rng: np.random.Generator,
+) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Actions (n_trials,) of a new learner, and its weights (6, 303) at the end."""
+    weights = np.zeros((settings.learner.n_actions, settings.learner.n_features))
+    histograms = np.stack([rng.choice(bank[side]) for side in sides])
+    trials = _trials(histograms, sides, settings, rng)
+    one_hot = settings.features.reading == "one_hot"
+    taken = ideal_task.run_trials(weights, trials, settings.learner, one_hot)
+    return ideal_task.capped(taken, settings.max_actions), weights
+
+
+def _test(
+    bank: Bank,
+    weights: NDArray[np.float64],
+    settings: StudySettings,
+    rng: np.random.Generator,
+) -> NDArray[np.int64]:
+    """Actions (n_pictures,) of the frozen policy on every picture of `bank`."""
+    histograms = np.concatenate([bank[side] for side in ORIENTATIONS])
+    sides = np.repeat(ORIENTATIONS, [len(bank[side]) for side in ORIENTATIONS])
+    trials = _trials(histograms, sides, settings, rng)
+    one_hot = settings.features.reading == "one_hot"
+    taken = ideal_task.run_frozen(weights, trials, one_hot)
+    return ideal_task.capped(taken, settings.max_actions)
+
+
+def _trials(
+    histograms: NDArray[np.float64],
+    sides: NDArray[np.str_],
+    settings: StudySettings,
+    rng: np.random.Generator,
+) -> ideal_task.Trials:
+    draws = rng.random((len(sides), settings.max_actions, 2))
+    lid_sides = np.array([_LID_SIDE[side] for side in sides])
+    return ideal_task.Trials(histograms, lid_sides, draws)
+
+
+def _scaled(bank: Bank, features: FeatureSettings) -> Bank:
+    scale = StateFeatureGenerator(features).scaled_histogram
+    return {side: np.stack([scale(raw) for raw in bank[side]]) for side in ORIENTATIONS}

@@ -1,0 +1,197 @@
+"""The folder of a training run, which survives being killed at any moment.
+
+    config.yaml         settings, and the versions of what decides the numbers
+    actions.parquet     one row per action (`records.ActionRecord`)
+    trials.parquet      one row per trial (`records.TrialRecord`)
+    weights.npz         what `LinearQ.load` reads
+    learning_curve.png  drawn at the end
+
+Every file is replaced as a whole. After each trial the tables come first and the
+weights last: they count the actions learned from, so rows beyond that count belong to a
+trial that was not finished and is run again, with the same outcome.
+"""
+
+import os
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from types import TracebackType
+from typing import Self, TypeVar
+
+import pyarrow.compute as pc
+from pyarrow.lib import ArrowException
+
+from prospect_mj.agent import LinearQ
+from prospect_mj.agent.storage import replace_file
+from prospect_mj.errors import ProspectError, RunFolderError
+from prospect_mj.experiment import config_file, folder_guard, tables
+from prospect_mj.experiment.config import TrainConfig
+from prospect_mj.experiment.records import (
+    ACTION_SCHEMA,
+    TRIAL_SCHEMA,
+    action_table,
+    trial_table,
+)
+from prospect_mj.experiment.training import FinishedTrial
+
+CONFIG = "config.yaml"
+ACTIONS = "actions.parquet"
+TRIALS = "trials.parquet"
+WEIGHTS = "weights.npz"
+CURVE = "learning_curve.png"
+
+_Content = TypeVar("_Content")
+
+
+class RunFolder:
+    """An open run: its configuration, learner and tables, locked for one process.
+
+    Attributes:
+        path: the folder.
+        config: what the run is.
+        learner: the state after the last finished trial.
+        actions: table under `ACTION_SCHEMA` of the finished trials.
+        trials: table under `TRIAL_SCHEMA` of the finished trials.
+    """
+
+    def __init__(self, path: Path, config: TrainConfig, lock: int) -> None:
+        """Use `create` or `open` instead."""
+        self.path = path
+        self.config = config
+        self._lock = lock
+        self.learner = LinearQ(config.learner)
+        self.actions = ACTION_SCHEMA.empty_table()
+        self.trials = TRIAL_SCHEMA.empty_table()
+
+    @classmethod
+    def create(cls, path: Path | None, config: TrainConfig) -> Self:
+        """Start a run in an empty or new folder; None takes the first free default.
+
+        Raises:
+            RunFolderError: if the folder is occupied or can't be written.
+        """
+        try:
+            path = folder_guard.new_default() if path is None else path
+            path.mkdir(parents=True, exist_ok=True)
+            folder = cls(path, config, folder_guard.lock(path))
+            folder_guard.check_free(path)
+            folder._write_state()
+            # Last: what has no configuration is not a run.
+            config_file.write(path / CONFIG, config)
+        except OSError as error:
+            raise RunFolderError(
+                f"{path} can't be written: {error.strerror}"
+            ) from error
+        return folder
+
+    @classmethod
+    def open(cls, path: Path) -> Self:
+        """Open an existing run where its last finished trial left it.
+
+        Raises:
+            RunFolderError: if it is no run folder, is damaged or in use.
+        """
+        config = read_config(path)
+        folder = cls(path, config, folder_guard.lock(path))
+        try:
+            folder._read_state()
+        except BaseException:
+            folder.close()
+            raise
+        return folder
+
+    @property
+    def n_trials(self) -> int:
+        """Finished trials."""
+        return self.trials.num_rows
+
+    @property
+    def is_finished(self) -> bool:
+        """Whether nothing is left to do."""
+        return self.n_trials == self.config.trials and (self.path / CURVE).is_file()
+
+    def extend(self, config: TrainConfig) -> None:
+        """Give the run more trials; the rest of `config` must be the same."""
+        if config == self.config:
+            return
+        (self.path / CURVE).unlink(missing_ok=True)
+        config_file.write(self.path / CONFIG, config)
+        self.config = config
+
+    def commit(self, finished: FinishedTrial) -> None:
+        """Make a finished trial, and the learner after it, permanent."""
+        self.actions = tables.appended(self.actions, action_table(finished.actions))
+        self.trials = tables.appended(self.trials, trial_table([finished.trial]))
+        self._write_state()
+
+    def write_curve(self, png: bytes) -> None:
+        """Store the picture of the learning curve."""
+        replace_file(self.path / CURVE, png)
+
+    def close(self) -> None:
+        """Let other processes use the folder."""
+        if self._lock >= 0:
+            os.close(self._lock)
+            self._lock = -1
+
+    def __enter__(self) -> Self:
+        """Return the folder itself."""
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        """Close the folder."""
+        self.close()
+
+    def _write_state(self) -> None:
+        replace_file(self.path / ACTIONS, tables.parquet(self.actions))
+        replace_file(self.path / TRIALS, tables.parquet(self.trials))
+        self.learner.save(self.path / WEIGHTS)
+
+    def _read_state(self) -> None:
+        self.learner = _read(self.path / WEIGHTS, LinearQ.load)
+        if self.learner.settings != self.config.learner:
+            raise RunFolderError(f"{self.path / WEIGHTS} is from another configuration")
+        actions = _read(self.path / ACTIONS, partial(tables.read, schema=ACTION_SCHEMA))
+        trials = _read(self.path / TRIALS, partial(tables.read, schema=TRIAL_SCHEMA))
+        self.actions = actions.slice(0, self.learner.n_updates)
+        self.trials = trials.slice(0, pc.count_distinct(self.actions["trial"]).as_py())
+        self._check_state()
+
+    def _check_state(self) -> None:
+        """The three files must tell of the same trials."""
+        n_actions = pc.sum(self.trials["n_actions"]).as_py() or 0
+        numbers = self.trials["trial"].to_pylist()
+        if (
+            self.actions.num_rows != self.learner.n_updates
+            or n_actions != self.learner.n_updates
+            or numbers != list(range(len(numbers)))
+        ):
+            raise RunFolderError(
+                f"{self.path} is damaged: its tables and weights don't fit together"
+            )
+
+
+def read_config(path: Path) -> TrainConfig:
+    """Read the configuration of a run without opening the run.
+
+    Raises:
+        RunFolderError: if `path` is no run folder or its configuration is unreadable.
+    """
+    if not (path / CONFIG).is_file():
+        raise RunFolderError(f"{path} is not a run folder: it has no {CONFIG}")
+    return config_file.read(path / CONFIG)
+
+
+def _read(path: Path, reader: Callable[[Path], _Content]) -> _Content:
+    """Read one file of a run, or say which one can't be read."""
+    try:
+        return reader(path)
+    except RunFolderError:
+        raise
+    except (OSError, ArrowException, ProspectError) as error:
+        raise RunFolderError(f"{path} can't be read: missing or damaged") from error

@@ -1,0 +1,119 @@
+"""Starting and resuming a run: the order in which things may fail.
+
+Whatever can be wrong is found before anything is written: first the folder, then the
+environment (a missing model file, no OpenGL), and only then does the run begin.
+"""
+
+import time
+from collections.abc import Callable
+from contextlib import closing
+from pathlib import Path
+
+from prospect_mj.errors import RunFolderError
+from prospect_mj.experiment import folder_guard, plots
+from prospect_mj.experiment.config import TrainConfig
+from prospect_mj.experiment.environment import (
+    Environment,
+    MakeEnvironment,
+    make_environment,
+)
+from prospect_mj.experiment.progress import Progress
+from prospect_mj.experiment.run_folder import RunFolder
+from prospect_mj.experiment.summary import Summary
+from prospect_mj.experiment.training import train
+
+Say = Callable[[str], None]
+
+
+def start(
+    config: TrainConfig,
+    out: Path | None = None,
+    make_env: MakeEnvironment = make_environment,
+    say: Say = print,
+) -> Summary:
+    """Begin a run and bring it to its end.
+
+    Args:
+        config: the run.
+        out: its folder, new or empty; None for the next free one under runs/.
+        make_env: makes the environment.
+        say: told where the run is as soon as there is something to find there.
+
+    Raises:
+        RunFolderError: if `out` can't be had; nothing was written then.
+    """
+    if out is not None:
+        folder_guard.check_free(out)
+    with (
+        closing(make_env(config)) as env,
+        RunFolder.create(out, config) as folder,
+    ):
+        say(f"training in {folder.path} (interrupted: --resume {folder.path})")
+        return _finish(folder, env)
+
+
+def resume(
+    path: Path,
+    config: TrainConfig,
+    make_env: MakeEnvironment = make_environment,
+    say: Say = print,
+) -> Summary | None:
+    """Continue a run exactly where its last finished trial left it.
+
+    Args:
+        path: the run folder.
+        config: the run's own configuration, or the same with more trials.
+        make_env: makes the environment.
+        say: told what is left to do.
+
+    Returns:
+        None if the run was finished already; nothing was written then.
+
+    Raises:
+        RunFolderError: if the folder can't be used or holds another run.
+    """
+    with RunFolder.open(path) as folder:
+        _check_same_run(folder, config)
+        if folder.n_trials == config.trials and folder.is_finished:
+            say(f"{path} is finished: all of its {config.trials} trials are done")
+            return None
+        with closing(make_env(config)) as env:
+            folder.extend(config)
+            say(f"resuming {path} at trial {folder.n_trials} of {config.trials}")
+            return _finish(folder, env)
+
+
+def _check_same_run(folder: RunFolder, config: TrainConfig) -> None:
+    stored = folder.config
+    if config.trials < stored.trials:
+        raise RunFolderError(
+            f"{folder.path} has {stored.trials} trials; --trials can only add to them"
+        )
+    if config != stored.with_trials(config.trials):
+        wanted, had = config.as_dict(), stored.as_dict()
+        name = next(key for key in had if key != "trials" and had[key] != wanted[key])
+        raise RunFolderError(
+            f"{folder.path} is another run: its {name} is {had[name]}, "
+            f"not {wanted[name]}"
+        )
+
+
+def _finish(folder: RunFolder, env: Environment) -> Summary:
+    """Run what is left, draw the learning curve and sum up."""
+    first_trial, began = folder.n_trials, time.perf_counter()
+    with Progress(folder) as progress:
+        for finished in train(folder.config, env, folder.learner, first_trial):
+            folder.commit(finished)
+            progress.advance(folder)
+    folder.write_curve(_curve(folder))
+    return Summary.of(folder, first_trial, time.perf_counter() - began)
+
+
+def _curve(folder: RunFolder) -> bytes:
+    config = folder.config
+    return plots.learning_curve(
+        folder.trials["n_actions"].to_numpy(),
+        config.pretrain,
+        config.max_actions,
+        f"Learning which hand to use, seed {config.seed}",
+    )

@@ -1,0 +1,85 @@
+"""What a run came to, in a few lines."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Self
+
+import numpy as np
+
+from prospect_mj.experiment.learning_curve import (
+    NEAR_OPTIMAL,
+    first_near_optimal_window,
+)
+from prospect_mj.experiment.run_folder import RunFolder
+
+WINDOW = 50
+"""Trials that the means are over."""
+
+
+@dataclass(frozen=True)
+class Summary:
+    """Figures of a run."""
+
+    trials: int
+    """Finished trials."""
+    pretrain: int
+    """Of these, pretraining."""
+    first_mean: float
+    """Mean actions of the first trials (at most `WINDOW`)."""
+    last_mean: float
+    """Mean actions of the last trials (at most `WINDOW`)."""
+    near_optimal: int | None
+    """First of the first `WINDOW` successive trials, after the pretraining, with a
+    near-optimal mean."""
+    sim_seconds: float
+    """Simulated time of the whole run [s]."""
+    session_sim_seconds: float
+    """Simulated time since the process began or resumed the run [s]."""
+    wall_seconds: float
+    """Wall time of the same [s]."""
+    path: Path
+    """The run folder."""
+
+    @classmethod
+    def of(cls, folder: RunFolder, first_trial: int, wall_seconds: float) -> Self:
+        """Summarise `folder`, which this session continued at `first_trial`."""
+        actions = folder.trials["n_actions"].to_numpy()
+        seconds = folder.trials["sim_seconds"].to_numpy()
+        pretrain = min(folder.config.pretrain, len(actions))
+        reached = first_near_optimal_window(actions[pretrain:], WINDOW)
+        return cls(
+            trials=len(actions),
+            pretrain=pretrain,
+            first_mean=float(np.mean(actions[:WINDOW])),
+            last_mean=float(np.mean(actions[-WINDOW:])),
+            near_optimal=None if reached is None else pretrain + reached,
+            sim_seconds=float(np.sum(seconds)),
+            session_sim_seconds=float(np.sum(seconds[first_trial:])),
+            wall_seconds=wall_seconds,
+            path=folder.path,
+        )
+
+    def __str__(self) -> str:
+        """Lay the figures out for a terminal."""
+        window = min(WINDOW, self.trials)
+        pretrain = f", {self.pretrain} of them pretraining" if self.pretrain else ""
+        reached = (
+            f"not reached (a mean of {NEAR_OPTIMAL} over {WINDOW} trials)"
+            if self.near_optimal is None
+            else f"trials {self.near_optimal} to {self.near_optimal + WINDOW - 1} are "
+            f"the first {WINDOW} with a mean of {NEAR_OPTIMAL} or less"
+        )
+        speed = self.session_sim_seconds / max(self.wall_seconds, 1e-9)
+        return "\n".join(
+            (
+                f"trials        {self.trials}{pretrain}",
+                f"mean actions  {self.first_mean:.2f} in the first {window} trials, "
+                f"{self.last_mean:.2f} in the last {window}",
+                f"near-optimal  {reached}",
+                f"simulated     {self.sim_seconds:.0f} s; this session "
+                f"{self.session_sim_seconds:.0f} s in {self.wall_seconds:.0f} s of "
+                f"wall time ({speed:.0f} x)",
+                f"run folder    {self.path}: config.yaml, actions.parquet, "
+                "trials.parquet, weights.npz, learning_curve.png",
+            )
+        )

@@ -1,0 +1,116 @@
+"""Sizes and surfaces of what stands around the torso; plain numbers, no MuJoCo.
+
+World frame: x forward, y left, z up, origin on the table top below the shoulders.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Jar:
+    """A jar with a wide lid; its frame is at the centre, z along the axis to the lid."""
+
+    length: float = 0.17
+    """[m]"""
+    body_radius: float = 0.036
+    """[m]"""
+    lid_radius: float = 0.045
+    """[m]: wider than the well, narrower than an open hand."""
+    lid_length: float = 0.040
+    """[m]"""
+    label: tuple[float, float] = (-0.060, 0.016)
+    """From where to where on the axis the white label goes [m]."""
+    mass: float = 0.40
+    """[kg], three quarters in the body, one quarter in the lid."""
+    lid_share: float = 0.25
+    friction: tuple[float, float, float] = (1.0, 0.01, 0.0005)
+    """Sliding, torsional [m], rolling [m]; the jar's surface decides (priority 1)."""
+
+    @property
+    def body_length(self) -> float:
+        """The part that is not the lid [m]."""
+        return self.length - self.lid_length
+
+
+@dataclass(frozen=True)
+class Pedestal:
+    """A V-shaped cradle of two 45-degree plates on a post."""
+
+    position: tuple[float, float] = (0.62, 0.0)
+    """Nominal place on the table [m]."""
+    axis_height: float = 0.20
+    """Nominal height of the axis of a jar that lies in it [m]."""
+    half_length: float = 0.014
+    """Of the plates along the jar's axis [m]."""
+    plate: tuple[float, float] = (0.025, 0.003)
+    """Half width along the slope and half thickness of a plate [m]."""
+    post_radius: float = 0.015
+    """[m]"""
+
+    @property
+    def nominal(self) -> np.ndarray:
+        """Centre (3,) [m] of a jar that lies in it at the nominal place."""
+        return np.array([*self.position, self.axis_height])
+
+
+@dataclass(frozen=True)
+class Well:
+    """The receptacle: an open square box with a 45-degree chamfer round its rim."""
+
+    position: tuple[float, float] = (0.45, 0.0)
+    """Centre on the table [m]."""
+    half_width: float = 0.040
+    """Inside [m]: 4 mm wider than the jar's body, 5 mm narrower than its lid."""
+    rim_height: float = 0.10
+    """Top of the straight walls above the table [m]."""
+    depth: float = 0.08
+    """Rim to floor [m]."""
+    wall: float = 0.005
+    """Half thickness [m]."""
+    chamfer: float = 0.012
+    """Width of the sloping plates [m]."""
+    friction: float = 0.25
+    """Sliding; smoother than the jar, and it decides (priority 2)."""
+
+    @property
+    def floor_height(self) -> float:
+        """Of the inside, above the table [m]."""
+        return self.rim_height - self.depth
+
+
+@dataclass(frozen=True)
+class Lamp:
+    """A desk lamp to one side: inverse-square light is what makes the images differ."""
+
+    position: tuple[float, float, float] = (0.50, 0.40, 0.75)
+    """Of the bulb [m]."""
+    diffuse: float = 1.0
+    """Intensity, all three channels."""
+    attenuation: tuple[float, float, float] = (0.2, 0.0, 2.5)
+    """Constant, linear [1/m] and quadratic [1/m^2] coefficient."""
+    stand: tuple[float, float] = (0.95, 0.62)
+    """Foot of the stand on the table [m]."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """Dark, so that the object is the bright thing in the fovea."""
+
+    centre: tuple[float, float] = (0.66, 0.0)
+    """[m]"""
+    half_size: tuple[float, float] = (0.46, 0.75)
+    """[m]"""
+    colour: tuple[float, float, float] = (0.10, 0.10, 0.11)
+
+
+@dataclass(frozen=True)
+class Props:
+    """Everything around the torso."""
+
+    jar: Jar = field(default_factory=Jar)
+    pedestal: Pedestal = field(default_factory=Pedestal)
+    well: Well = field(default_factory=Well)
+    lamp: Lamp = field(default_factory=Lamp)
+    table: Table = field(default_factory=Table)

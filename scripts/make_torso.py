@@ -1,0 +1,9 @@
+"""Write models/torso.xml from one arm and one hand."""
+
+from prospect_mj.paths import MODELS
+from prospect_mj.robot.torso_mjcf import torso_xml
+
+if __name__ == "__main__":
+    path = MODELS / "torso.xml"
+    path.write_text(torso_xml())
+    print(f"wrote {path.name}")

@@ -1,0 +1,42 @@
+"""Rendering in tests: the backend before MuJoCo, and loud news when there is none."""
+
+import functools
+import os
+
+from prospect_mj.sim import gl
+
+gl.configure()  # test modules import mujoco, which reads the choice once
+
+import pytest  # noqa: E402
+
+from prospect_mj.errors import RenderingUnavailable  # noqa: E402
+
+NO_GL = "needs OpenGL"
+
+
+@functools.cache
+def _why_no_gl() -> str | None:
+    """The reason why nothing can be rendered here, or None."""
+    try:
+        gl.require_gl()
+    except RenderingUnavailable as error:
+        return str(error)
+    return None
+
+
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Skip a `gl` test without OpenGL; where CI=true it fails instead."""
+    if item.get_closest_marker("gl") is None or (reason := _why_no_gl()) is None:
+        return
+    if os.environ.get("CI") == "true":
+        pytest.fail(f"{NO_GL}, and CI must have it: {reason}", pytrace=False)
+    pytest.skip(f"{NO_GL}: {reason}")
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Say in red how many tests went unrun for want of OpenGL, and the remedy."""
+    skipped = terminalreporter.stats.get("skipped", [])
+    reasons = [r.longrepr[2] for r in skipped if NO_GL in str(r.longrepr)]
+    if reasons:
+        terminalreporter.section("RENDERING WAS NOT TESTED", red=True, bold=True)
+        terminalreporter.line(f"{len(reasons)} tests skipped: {reasons[0]}", red=True)

@@ -1,0 +1,83 @@
+import dataclasses
+
+import pytest
+
+from prospect_mj.agent import FeatureSettings, LearnerSettings
+from prospect_mj.errors import ProspectError
+from prospect_mj.experiment.config import TrainConfig
+
+
+def test_defaults_are_the_papers_run_without_a_dominant_hand():
+    config = TrainConfig()
+    assert (config.trials, config.pretrain, config.max_actions) == (1000, 0, 10)
+    assert (config.supervisor, config.object_pose) == ("none", "vision")
+    assert config.bootstrap_at_truncation
+
+
+def test_dictionary_round_trip():
+    config = TrainConfig(
+        trials=30,
+        pretrain=7,
+        dominant="left",
+        seed=2**40,
+        features=FeatureSettings(reading="one_hot"),
+        learner=LearnerSettings(epsilon=0.1),
+    )
+    assert TrainConfig.from_dict(config.as_dict()) == config
+
+
+@pytest.mark.parametrize(
+    ("bad", "named"),
+    [
+        ({"trials": 0}, "0"),
+        ({"trials": 10**9}, "1000000"),
+        ({"trials": 2.5}, "2.5"),
+        ({"pretrain": -1}, "-1"),
+        ({"pretrain": 1001}, "1000"),
+        ({"seed": -1}, "-1"),
+        ({"max_actions": 0}, "0"),
+        ({"dominant": "both"}, "left, right"),
+        ({"supervisor": "strict"}, "none, safe, productive"),
+        ({"object_pose": "guess"}, "vision, truth"),
+        ({"learner": LearnerSettings(n_actions=5)}, "6"),
+        ({"learner": LearnerSettings(n_features=100)}, "303"),
+    ],
+)
+def test_bad_values_are_named(bad, named):
+    with pytest.raises(ProspectError) as refused:
+        TrainConfig(**bad)
+    assert named in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"trials": "many"},
+        {"trials": None},
+        {"learner": {"epsilon": "small"}},
+        {"learner": {"alpha": 1}},
+        {"features": 3},
+        {"colour": "red"},
+    ],
+)
+def test_foreign_dictionaries_are_refused(change):
+    plain = {**TrainConfig().as_dict(), **change}
+    with pytest.raises(ProspectError):
+        TrainConfig.from_dict(plain)
+
+
+def test_missing_setting_is_refused():
+    plain = TrainConfig().as_dict()
+    del plain["seed"]
+    with pytest.raises(ProspectError):
+        TrainConfig.from_dict(plain)
+
+
+def test_every_setting_has_its_documentation():
+    # tyro shows these texts; a setting without one would have an empty help.
+    source = TrainConfig.__module__
+    text = __import__(source, fromlist=["x"]).__loader__.get_source(source)
+    for setting in dataclasses.fields(TrainConfig):
+        declared = text.index(f"    {setting.name}: ")
+        following = text[declared:].splitlines()[1]
+        assert following.lstrip().startswith('"""'), setting.name
