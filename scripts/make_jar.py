@@ -12,7 +12,7 @@ from prospect_mj.sim.props import Jar
 BEVEL = 0.0015
 SECTIONS = 96
 ROWS = 340
-BODY, LABEL, LID = (158, 107, 56), (217, 217, 204), (191, 31, 31)
+BODY, LABEL, LID = (158, 107, 56), (217, 217, 204), (31, 51, 166)
 
 
 def profile(jar: Jar) -> list[tuple[tuple[float, float], tuple[float, float]]]:

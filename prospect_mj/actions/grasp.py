@@ -1,12 +1,13 @@
 """Grasp Left, Grasp Right: pick the jar off its cradle by the end on that side."""
 
+from collections.abc import Callable
+
 import mink
 import numpy as np
 
 from prospect_mj.actions import plan, poses
 from prospect_mj.actions.action import ActionResult
 from prospect_mj.actions.belief import SeenJar
-from prospect_mj.actions.held import jar_in_hand
 from prospect_mj.actions.plan import Plan, Robot
 from prospect_mj.control.fine_motion import FineMotion
 from prospect_mj.control.grasp import GraspController
@@ -24,12 +25,12 @@ def grasp(robot: Robot, side: Side) -> Plan:
         return ActionResult.NOT_SEEN
     arm, work = robot.arms[side], robot.workspace
     lying = poses.pose(jar_rotation(seen.axis), seen.position)
-    result = yield from close_on(robot, side, lying)
+    result = yield from close_on(robot, side, lambda: lying)
     if not result.converged:
         retreat = poses.backed_off(arm.grasp_pose(), work.stand_off)
         yield from plan.withdraw(robot, side, retreat)
         return ActionResult.NOT_GRASPED
-    robot.belief.held[side] = jar_in_hand(arm, lying, robot.belief, side)
+    robot.belief.held[side] = arm.grasp_pose().inverse() @ lying
     return (yield from _lift(robot, side, seen))
 
 
@@ -57,31 +58,38 @@ def _give_up(robot: Robot, side: Side, result: ControlResult) -> Plan:
     return ending
 
 
-def close_on(robot: Robot, side: Side, jar: mink.SE3) -> plan.Step:
+def close_on(
+    robot: Robot, side: Side, jar: Callable[[], mink.SE3]
+) -> plan.Step:
     """Bring an open hand round the jar's end on its side, and close it.
 
     Args:
         robot: what plans are written over.
         side: the hand.
-        jar: pose of the jar in the world.
+        jar: tells the pose of the jar in the world as it is known at that moment.
     """
     arm, work = robot.arms[side], robot.workspace
-    axis = jar.rotation().as_matrix()[:, 2]
-    point, palm = poses.end_of_jar(side, jar.translation(), axis, work.reach)
     posture = plan.arm_posture(arm)
-    rotation = poses.turned_to(arm.grasp_pose().rotation(), palm)
-    before = poses.pose(rotation, point - work.stand_off * palm)
+    before = poses.backed_off(grip_pose(robot, side, jar()), work.stand_off)
     reach = GrossMotion(arm, before, posture)
     yield (reach, HandMotion(side))
     assert reach.result is not None
     if not reach.result.converged:
         return reach.result
-    rotation = poses.turned_to(arm.grasp_pose().rotation(), palm)
-    approach = FineMotion(arm, poses.pose(rotation, point), posture)
+    approach = FineMotion(arm, grip_pose(robot, side, jar()), posture)
     approached = yield from plan.run(approach)
     if not approached.converged:
         return approached
     return (yield from plan.run(GraspController(arm, posture)))
+
+
+def grip_pose(robot: Robot, side: Side, jar: mink.SE3) -> mink.SE3:
+    """Pose of a hand round its end of a jar, turned as little as possible."""
+    axis = jar.rotation().as_matrix()[:, 2]
+    reach = robot.workspace.reach
+    point, palm = poses.end_of_jar(side, jar.translation(), axis, reach)
+    rotation = poses.turned_to(robot.arms[side].grasp_pose().rotation(), palm)
+    return poses.pose(rotation, point)
 
 
 def jar_rotation(axis: np.ndarray) -> mink.SO3:

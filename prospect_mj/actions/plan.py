@@ -18,7 +18,7 @@ from prospect_mj.actions.workspace import Workspace
 from prospect_mj.control.arm_control import ArmControl
 from prospect_mj.control.controller import Controller
 from prospect_mj.control.fine_motion import FineMotion
-from prospect_mj.control.gross_motion import GrossMotion
+from prospect_mj.control.gross_motion import ARRIVING, GrossMotion
 from prospect_mj.control.hand_motion import HandMotion
 from prospect_mj.control.posture_motion import PostureMotion
 from prospect_mj.control.result import ControlResult, Status
@@ -71,6 +71,11 @@ def arm_posture(arm: ArmControl) -> np.ndarray:
 
 def present(robot: Robot, side: Side) -> Step:
     """Bring a held jar to where it is kept between actions, lying along y."""
+    return (yield from run(presentation(robot, side)))
+
+
+def presentation(robot: Robot, side: Side) -> GrossMotion:
+    """The motion that brings a held jar to where it is kept between actions."""
     arm = robot.arms[side]
     target = jar_over(
         side,
@@ -79,8 +84,8 @@ def present(robot: Robot, side: Side) -> Step:
         robot.workspace.presentation,
         outward(side),
     )
-    motion = GrossMotion(arm, target, posture.home(side), carrying=True)
-    return (yield from run(motion))
+    reference = posture.presenting(side)
+    return GrossMotion(arm, target, reference, carrying=True, settings=ARRIVING)
 
 
 def outward(side: Side) -> np.ndarray:

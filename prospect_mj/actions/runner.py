@@ -5,6 +5,7 @@ from collections.abc import Callable
 from prospect_mj.actions.action import Action, ActionOutcome, ControllerRun
 from prospect_mj.actions.belief import Belief
 from prospect_mj.actions.grasp import grasp
+from prospect_mj.actions.held import felt_jar
 from prospect_mj.actions.insert import insert
 from prospect_mj.actions.plan import Plan, Robot
 from prospect_mj.actions.swap import swap
@@ -85,7 +86,17 @@ class ActionRunner:
                 if targets.fingers is not None:
                     arm.command_fingers(targets.fingers)
             self._simulation.step(self._substeps)
-        self.twin.update(self._torso.read())
+        self._feel()
+
+    def _feel(self) -> None:
+        """Sense where the joints are now, and how the jar sits in the hand."""
+        reading = self._torso.read()
+        self.twin.update(reading)
+        for side, held in self.belief.held.items():
+            touch, hand = reading[side].touch, self._arms[side].grasp_pose()
+            if touch.found.all():
+                jar = felt_jar(touch, hand @ held)
+                self.belief.held[side] = hand.inverse() @ jar
 
 
 def _record(controller: Controller) -> ControllerRun:

@@ -26,8 +26,9 @@ class BadOptions(ProspectError):
 def parse(
     options: type[_Options],
     argv: Sequence[str],
-    default: _Options | None = None,
-    **tyro_arguments: object,
+    default: _Options,
+    prog: str,
+    registry: tyro.constructors.ConstructorRegistry | None = None,
 ) -> _Options:
     """Parse a command line into a dataclass.
 
@@ -35,18 +36,20 @@ def parse(
         options: the dataclass.
         argv: the arguments, without the program's name.
         default: values of the options that are not given.
-        tyro_arguments: more for `tyro.cli`.
+        prog: the program's name in the help.
+        registry: tyro's rules for types that it should treat in another way.
 
     Raises:
         BadOptions: in one line, where tyro would draw a box.
     """
     drawn = io.StringIO()
-    extra = {} if default is None else {"default": default}
     try:
         with contextlib.redirect_stderr(drawn):
-            return tyro.cli(options, args=list(argv), **extra, **tyro_arguments)
-    except SystemExit as exit_:
-        if exit_.code in (0, None):
+            return tyro.cli(
+                options, prog=prog, args=list(argv), default=default, registry=registry
+            )
+    except SystemExit as end:
+        if end.code in (0, None):
             raise
         raise BadOptions(_first_section(drawn.getvalue())) from None
 

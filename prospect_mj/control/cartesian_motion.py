@@ -35,6 +35,8 @@ class MotionSettings:
     servo stiffness it bounds the torque."""
     time_budget: float
     """[s]"""
+    rest_speed: float = np.inf
+    """Joint speed below which the arm has arrived [rad/s]; infinite = passing by."""
     stall_time: float = 1.0
     """Without any progress for this long, it has stalled [s]."""
 
@@ -156,6 +158,7 @@ class CartesianMotion(Controller):
         elif (
             error.position < settings.position_tolerance
             and error.angle < settings.angle_tolerance
+            and np.abs(own.velocities).max() < settings.rest_speed
         ):
             self._finish(Status.CONVERGED)
         elif self._idle > settings.stall_time:

@@ -38,6 +38,13 @@ def contact_residual(positions: np.ndarray, normals: np.ndarray) -> ContactResid
     return ContactResidual(force, moment, float(force @ force + moment @ moment))
 
 
+def meeting_point(positions: np.ndarray, normals: np.ndarray) -> np.ndarray:
+    """The point (3,) [m] nearest to all contact normals' lines, in least squares."""
+    across = np.eye(3) - normals[:, :, None] * normals[:, None, :]
+    moments = np.einsum("kij,kj->i", across, positions)
+    return np.linalg.lstsq(across.sum(axis=0), moments, rcond=None)[0]
+
+
 def required_friction(positions: np.ndarray, normals: np.ndarray) -> float:
     """Friction coefficient that the contacts need to hold an object by squeezing.
 
@@ -53,11 +60,7 @@ def required_friction(positions: np.ndarray, normals: np.ndarray) -> float:
         The largest of the three tangents, and infinity if the forces would all have
         to pull to one side.
     """
-    across = np.eye(3) - normals[:, :, None] * normals[:, None, :]
-    meeting = np.linalg.lstsq(
-        across.sum(axis=0), np.einsum("kij,kj->i", across, positions), rcond=None
-    )[0]
-    lines = meeting - positions
+    lines = meeting_point(positions, normals) - positions
     lines /= np.linalg.norm(lines, axis=1, keepdims=True)
     cosines = np.einsum("ki,ki->k", lines, normals)
     if (cosines <= 0).any() or not _balance(lines):

@@ -14,6 +14,7 @@ FINE = MotionSettings(
     free_roll=False,
     windup=0.15,
     time_budget=4.0,
+    rest_speed=0.1,
 )
 
 

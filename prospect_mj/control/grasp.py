@@ -165,12 +165,17 @@ class GraspController(Controller):
         self._probes += 1
         self._residual = None
         settled, motors = 0.0, own.finger_command
+        latched = np.zeros(3, dtype=bool)
         step = settings.closing_speed * CONTROL_PERIOD
         while settled < settings.settle_time:
+            pressing = own.touch.found & (own.touch.force > settings.touch_force)
             # Measured, not commanded: the servo lags, and would push on by its lag.
-            touching = own.touch.found & (own.touch.force > settings.touch_force)
-            held = own.fingers + settings.touch_lead
-            motors = np.where(touching, held, np.maximum(motors, own.fingers) + step)
+            motors = np.where(
+                pressing & ~latched, own.fingers + settings.touch_lead, motors
+            )
+            latched = pressing | (latched & own.touch.found)
+            touching = latched
+            motors = np.where(latched, motors, motors + step)
             if (motors > settings.closed).any():
                 self._residual = None
                 return own

@@ -15,25 +15,25 @@ TOLERANCE = 0.03
 
 
 class HandMotion(Controller):
-    """Open (or close) the fingers to a common motor angle.
+    """Open (or close) the fingers to given motor angles.
 
     Args:
         side: which hand.
-        angle: proximal angle to reach [rad].
+        angles: proximal angle of each finger to reach (3,) [rad].
         time_budget: after which it gives up [s].
     """
 
     def __init__(
-        self, side: Side, angle: float = posture.OPEN, time_budget: float = 2.0
+        self, side: Side, angles: tuple[float, ...] = posture.OPEN, time_budget: float = 2.0
     ) -> None:
         """Start from wherever the fingers are."""
         super().__init__(side, time_budget)
-        self._angle = angle
+        self._angles = np.array(angles)
 
     def _law(self, reading: Reading) -> Targets:
         own = reading[self.side]
-        if np.abs(own.fingers - self._angle).max() < TOLERANCE:
+        if np.abs(own.fingers - self._angles).max() < TOLERANCE:
             self._finish(Status.CONVERGED)
         step = OPENING_SPEED * CONTROL_PERIOD
-        towards = np.clip(self._angle - own.finger_command, -step, step)
+        towards = np.clip(self._angles - own.finger_command, -step, step)
         return Targets(fingers=own.finger_command + towards)

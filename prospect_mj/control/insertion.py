@@ -42,7 +42,7 @@ class InsertionSettings:
     """Descent while the object is above the rim [m/s]."""
     rim_speed: float = 0.025
     """Descent where the object may meet the rim [m/s]."""
-    rim_zone: tuple[float, float] = (-0.008, 0.012)
+    rim_zone: tuple[float, float] = (-0.018, 0.004)
     """That stretch, relative to where the object's lower end passes the rim [m]."""
     rim_windup: float = 0.012
     """Servo lead there [rad]: about 15 N at the hand, which no grip of three times
@@ -51,7 +51,7 @@ class InsertionSettings:
     """Descent inside [m/s]."""
     windup: float = 0.03
     """Servo lead elsewhere [rad]."""
-    lead: float = 0.006
+    lead: float = 0.004
     """Most that the reference is ahead of the measured height [m]."""
     lead_time: float = 0.15
     """The same as a time at the present speed [s]: what the servo law needs to keep
@@ -60,7 +60,7 @@ class InsertionSettings:
     """Lateral shift per force and control period [m/N]."""
     yield_limit: float = 0.015
     """Most that the object may be guided sideways [m]."""
-    waiting_force: float = 10.0
+    waiting_force: float = 8.0
     """Above which the reference does not go down any further [N]."""
     contact_force: float = 2.0
     """Above which the object is felt to be supported [N]."""
@@ -73,7 +73,10 @@ class InsertionSettings:
     back_out: float = 0.08
     """Height regained after a jam [m]."""
     floor_tolerance: float = 0.008
-    """How near to its full depth a supported object counts as inserted [m]."""
+    """How near to its full depth a supported object stands on the floor [m]."""
+    entered: float = 0.6
+    """Share of the receptacle's depth beyond which a stop is no jam on the rim: room
+    for an object that has slipped in the hand, so that its height is uncertain."""
     time_budget: float = 10.0
     """[s]"""
 
@@ -162,7 +165,8 @@ class InsertionController(Controller):
         own = yield from self._weigh(own)
         own, supported = yield from self._descend(own)
         reached = self._travelled()
-        if reached > self._depth - self._settings.floor_tolerance:
+        entered = self._settings.entered * (self._depth - self._free)
+        if reached > self._free + entered:
             self._end(Status.CONVERGED)
             return
         yield from self._retreat(own, max(0.0, reached - self._settings.back_out))
@@ -197,10 +201,11 @@ class InsertionController(Controller):
                 break
             self._yield_to(force, travelled)
             speed, windup = self._pace(travelled)
-            if force[2] < settings.waiting_force:
-                reference += speed * CONTROL_PERIOD
             lead = max(settings.lead, speed * settings.lead_time)
-            reference = min(reference, travelled + lead, self._depth + 0.004)
+            if force[2] > settings.waiting_force:
+                reference, lead = min(reference, travelled), 0.0
+            ahead = reference + speed * CONTROL_PERIOD
+            reference = min(ahead, travelled + lead, self._depth + 0.004)
             below = self._below(reference)
             own = yield Targets(joints=self._servo.step(own, below, windup))
         return own, supported

@@ -15,7 +15,7 @@ ObjectPose = Literal["vision", "truth"]
 
 ORIENTATIONS: tuple[Orientation, ...] = get_args(Orientation)
 
-_MOST_TRIALS = 1_000_000
+_MOST_TRIALS = 100_000
 _LARGEST_SEED = 2**63 - 1
 
 

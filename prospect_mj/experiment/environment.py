@@ -18,12 +18,15 @@ class Environment(Protocol):
         self, *, seed: int, options: dict[str, Any]
     ) -> tuple[NDArray[np.float64], Info]:
         """Present the jar; `options["orientation"]` is the side of the lid."""
+        ...
 
     def step(self, action: int) -> tuple[NDArray[np.float64], float, bool, bool, Info]:
         """Try one action: features, reward, terminated, truncated, info."""
+        ...
 
     def close(self) -> None:
         """Release what the environment holds."""
+        ...
 
 
 MakeEnvironment = Callable[[TrainConfig], Environment]

@@ -14,10 +14,13 @@ from numpy.typing import NDArray
 
 from prospect_mj.agent.features import N_BINS, N_FEATURES
 from prospect_mj.agent.settings import LearnerSettings
+from prospect_mj.errors import InvalidValue
+from prospect_mj.experiment.records import ACTION_NAMES
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
+N_ACTIONS = len(ACTION_NAMES)
 # Hands as the kernel counts them; the same numbers stand for the lid's side.
 NONE, LEFT, RIGHT = 0, 1, 2
 
@@ -55,6 +58,7 @@ def run_trials(
         (n_trials,) [actions], one more than the longest trial where the jar was never
         inserted.
     """
+    _check_shapes(weights, trials)
     return _run(
         weights,
         *trials,
@@ -68,12 +72,26 @@ def run_trials(
 
 def run_frozen(weights: Floats, trials: Trials, one_hot: bool = False) -> Integers:
     """Follow the greedy policy without learning; arguments and result as above."""
+    _check_shapes(weights, trials)
     return _run(weights, *trials, 0.0, 0.0, 0.0, one_hot, False)
 
 
 def capped(n_actions: Integers, max_actions: int) -> Integers:
     """Actions taken per trial, solved or not."""
     return np.minimum(n_actions, max_actions)
+
+
+def _check_shapes(weights: Floats, trials: Trials) -> None:
+    """Refuse arrays that the compiled code would read beyond their end."""
+    n_trials, max_actions = trials.draws.shape[:2]
+    for what, array, shape in (
+        ("weights' shape", weights, (N_ACTIONS, N_FEATURES)),
+        ("histograms' shape", trials.histograms, (n_trials, N_BINS)),
+        ("lid sides' shape", trials.lid_sides, (n_trials,)),
+        ("draws' shape", trials.draws, (n_trials, max_actions, 2)),
+    ):
+        if array.shape != shape:
+            raise InvalidValue(what, array.shape, str(shape))
 
 
 @njit(nogil=True, cache=True)

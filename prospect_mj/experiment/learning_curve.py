@@ -16,15 +16,15 @@ def block_means(n_actions: ArrayLike, size: int = BLOCK) -> NDArray[np.float64]:
     """Mean actions over successive sets of trials.
 
     Args:
-        n_actions: (..., n_trials) [actions], runs may come first.
+        n_actions: (n_trials,) or (n_runs, n_trials) [actions].
         size: trials per set; trials that don't fill a last set are left out.
 
     Returns:
         (n_trials // size,) [actions], the mean over all runs too.
     """
-    actions = np.asarray(n_actions, dtype=np.float64)
-    n_blocks = actions.shape[-1] // size
-    blocks = actions[..., : n_blocks * size].reshape(-1, n_blocks, size)
+    actions = np.atleast_2d(np.asarray(n_actions, dtype=np.float64))
+    n_runs, n_blocks = len(actions), actions.shape[1] // size
+    blocks = actions[:, : n_blocks * size].reshape(n_runs, n_blocks, size)
     return blocks.mean(axis=(0, 2))
 
 

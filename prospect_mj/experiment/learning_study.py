@@ -7,19 +7,18 @@ trials, after about 250 trials of pretraining, and a peak of over six actions wh
 random orientations begin.
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
-from typing import NamedTuple, Self
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from prospect_mj.agent.features import N_BINS, FeatureSettings, StateFeatureGenerator
+from prospect_mj.agent.features import FeatureSettings, StateFeatureGenerator
 from prospect_mj.agent.settings import LearnerSettings
-from prospect_mj.errors import InvalidValue
+from prospect_mj.errors import InvalidChoice, InvalidValue
 from prospect_mj.experiment import ideal_task
 from prospect_mj.experiment.config import ORIENTATIONS, Orientation
+from prospect_mj.experiment.histogram_banks import Bank, HistogramBanks
 from prospect_mj.experiment.learning_curve import (
     BLOCK,
     OPTIMUM,
@@ -27,54 +26,7 @@ from prospect_mj.experiment.learning_curve import (
     near_optimal_trial,
 )
 
-Bank = Mapping[Orientation, NDArray[np.float64]]
-
 _LID_SIDE = {"left": ideal_task.LEFT, "right": ideal_task.RIGHT}
-
-
-@dataclass(frozen=True)
-class HistogramBanks:
-    """Raw histograms of many presentations, to learn from and to test on."""
-
-    train: Bank
-    """(n_images, 100) [pixels] per orientation."""
-    test: Bank
-    """(n_images, 100) [pixels] per orientation, never learned from."""
-
-    def __post_init__(self) -> None:
-        """Refuse banks that lack an orientation or hold something else."""
-        for bank in (self.train, self.test):
-            for orientation in ORIENTATIONS:
-                shape = np.shape(bank.get(orientation))
-                if len(shape) != 2 or shape[0] < 1 or shape[1] != N_BINS:
-                    raise InvalidValue(
-                        f"{orientation} bank's shape", shape, f"(n_images, {N_BINS})"
-                    )
-
-    def save(self, path: Path) -> None:
-        """Write the banks to one NumPy archive."""
-        banks = {"train": self.train, "test": self.test}
-        arrays = {
-            f"{name}_{orientation}": bank[orientation]
-            for name, bank in banks.items()
-            for orientation in ORIENTATIONS
-        }
-        np.savez_compressed(path, **arrays)
-
-    @classmethod
-    def load(cls, path: Path) -> Self:
-        """Read what `save` wrote.
-
-        Raises:
-            InvalidValue: if the archive lacks a bank.
-        """
-        with np.load(path, allow_pickle=False) as archive:
-            arrays = {name: archive[name] for name in archive.files}
-        train, test = (
-            {side: arrays.get(f"{name}_{side}") for side in ORIENTATIONS}
-            for name in ("train", "test")
-        )
-        return cls(train, test)
 
 
 @dataclass(frozen=True)
@@ -99,7 +51,9 @@ class StudySettings:
     """The learner."""
 
     def __post_init__(self) -> None:
-        """Refuse numbers that make no study."""
+        """Refuse numbers and choices that make no study."""
+        if self.dominant not in ORIENTATIONS:
+            raise InvalidChoice("dominant hand", self.dominant, ORIENTATIONS)
         if self.runs < 1:
             raise InvalidValue("runs", self.runs, "at least 1")
         if not BLOCK <= self.pretrain <= self.trials - 3 * BLOCK:

@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike, NDArray
 
 from prospect_mj.experiment.learning_curve import (
@@ -31,7 +32,7 @@ def learning_curve(
     """Draw actions per trial over a run, as the paper's figure 5.
 
     Args:
-        n_actions: (n_trials,) [actions].
+        n_actions: (n_trials,) [actions], at least one trial.
         pretrain: the first so many trials were pretraining.
         max_actions: where trials are cut off [actions].
         title: heading.
@@ -56,7 +57,8 @@ def _frame(axes: Axes, n_trials: int, max_actions: int, title: str) -> None:
     axes.set_title(title, loc="left", fontsize=12, fontweight="bold", pad=12)
     axes.set_xlabel("trial")
     axes.set_ylabel("actions per trial")
-    axes.set_xlim(0, max(n_trials, 1))
+    axes.set_xlim(0, n_trials)
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_ylim(0, max_actions * 1.12)
     axes.spines[["top", "right"]].set_visible(False)
     axes.grid(axis="y", color="#ececec", linewidth=0.8)
@@ -83,12 +85,12 @@ def _draw_levels(axes: Axes, max_actions: int) -> None:
 
 
 def _draw_means(axes: Axes, actions: NDArray[np.float64]) -> None:
-    """A dot per set of ten trials, at its middle."""
-    means = block_means(actions)
-    middles = np.arange(len(means)) * BLOCK + BLOCK / 2
-    axes.plot(
-        middles, means, "o", color=_DOTS, markersize=4, label=f"mean of {BLOCK} trials"
-    )
+    """A dot per set of ten trials, at its middle; in a short run one per trial."""
+    size = BLOCK if len(actions) >= WINDOW else 1
+    means = block_means(actions, size)
+    middles = (np.arange(len(means)) + 0.5) * size
+    label = f"mean of {size} trials" if size > 1 else "single trials"
+    axes.plot(middles, means, "o", color=_DOTS, markersize=4, label=label)
 
 
 def _draw_moving_means(axes: Axes, actions: NDArray[np.float64], pretrain: int) -> None:

@@ -5,15 +5,9 @@ from dataclasses import asdict, dataclass
 
 import pyarrow as pa
 
-# In the paper's order (section 3.1), which is that of the environment's indices.
-ACTION_NAMES = (
-    "grasp_left",
-    "grasp_right",
-    "swap_left_to_right",
-    "swap_right_to_left",
-    "insert_left",
-    "insert_right",
-)
+from prospect_mj.actions.action import Action
+
+ACTION_NAMES = tuple(action.label for action in Action)
 
 
 @dataclass(frozen=True)
@@ -68,6 +62,9 @@ class TrialRecord:
     """Simulated duration, presentation included [s]."""
 
 
+# "element" is Parquet's name, so that a table read back is written in the same bytes.
+_Q_VALUES = pa.list_(pa.field("element", pa.float64()), len(ACTION_NAMES))
+
 ACTION_SCHEMA = pa.schema(
     {
         "trial": pa.int32(),
@@ -76,7 +73,7 @@ ACTION_SCHEMA = pa.schema(
         "action_name": pa.string(),
         "explored": pa.bool_(),
         "holding": pa.string(),
-        "q_values": pa.list_(pa.float64(), len(ACTION_NAMES)),
+        "q_values": _Q_VALUES,
         "executed": pa.bool_(),
         "result": pa.string(),
         "next_holding": pa.string(),

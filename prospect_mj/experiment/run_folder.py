@@ -18,7 +18,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self, TypeVar
 
-import pyarrow.compute as pc
+import numpy as np
 from pyarrow.lib import ArrowException
 
 from prospect_mj.agent import LinearQ
@@ -74,14 +74,18 @@ class RunFolder:
             path = folder_guard.new_default() if path is None else path
             path.mkdir(parents=True, exist_ok=True)
             folder = cls(path, config, folder_guard.lock(path))
+        except OSError as error:
+            raise _not_writable(path, error) from error
+        try:
             folder_guard.check_free(path)
             folder._write_state()
             # Last: what has no configuration is not a run.
             config_file.write(path / CONFIG, config)
-        except OSError as error:
-            raise RunFolderError(
-                f"{path} can't be written: {error.strerror}"
-            ) from error
+        except BaseException as error:
+            folder.close()
+            if isinstance(error, OSError):
+                raise _not_writable(path, error) from error
+            raise
         return folder
 
     @classmethod
@@ -159,12 +163,13 @@ class RunFolder:
         actions = _read(self.path / ACTIONS, partial(tables.read, schema=ACTION_SCHEMA))
         trials = _read(self.path / TRIALS, partial(tables.read, schema=TRIAL_SCHEMA))
         self.actions = actions.slice(0, self.learner.n_updates)
-        self.trials = trials.slice(0, pc.count_distinct(self.actions["trial"]).as_py())
+        n_trials = np.unique(self.actions["trial"].to_numpy()).size
+        self.trials = trials.slice(0, n_trials)
         self._check_state()
 
     def _check_state(self) -> None:
         """The three files must tell of the same trials."""
-        n_actions = pc.sum(self.trials["n_actions"]).as_py() or 0
+        n_actions = self.trials["n_actions"].to_numpy().sum()
         numbers = self.trials["trial"].to_pylist()
         if (
             self.actions.num_rows != self.learner.n_updates
@@ -185,6 +190,11 @@ def read_config(path: Path) -> TrainConfig:
     if not (path / CONFIG).is_file():
         raise RunFolderError(f"{path} is not a run folder: it has no {CONFIG}")
     return config_file.read(path / CONFIG)
+
+
+def _not_writable(path: Path | None, error: OSError) -> RunFolderError:
+    where = folder_guard.DEFAULT_PARENT if path is None else path
+    return RunFolderError(f"{where} can't be written: {error.strerror}")
 
 
 def _read(path: Path, reader: Callable[[Path], _Content]) -> _Content:

@@ -78,12 +78,8 @@ def _text(values: Iterable[float]) -> str:
 
 
 def _home(side: Side) -> np.ndarray:
-    fingers = [f(posture.OPEN) for _ in range(3) for f in (float, _coupled)]
-    return np.concatenate([posture.home(side), fingers])
-
-
-def _coupled(proximal: float) -> float:
-    return barrett_hand.COUPLING * proximal
+    fingers = np.outer(posture.OPEN, [1.0, barrett_hand.COUPLING])
+    return np.concatenate([posture.home(side), fingers.ravel()])
 
 
 def _assets(parent: ET.Element) -> None:

@@ -49,6 +49,8 @@ class SceneSettings:
     """Headlight that reaches every surface."""
     fill: float = 0.05
     """Headlight from the camera's direction."""
+    slices: int = 16
+    """Facets round a drawn cylinder; every one costs time in the shadow map, too."""
 
 
 def compile_scene(settings: SceneSettings) -> mujoco.MjModel:
@@ -92,7 +94,12 @@ def _options(root: mjcf.RootElement, settings: SceneSettings) -> None:
         noslip_iterations=physics.noslip_iterations,
         iterations=physics.iterations,
     )
-    root.visual.quality.set_attributes(shadowsize=settings.shadow_size, offsamples=0)
+    root.visual.quality.set_attributes(
+        shadowsize=settings.shadow_size,
+        offsamples=0,
+        numslices=settings.slices,
+        numstacks=settings.slices // 2,
+    )
     root.visual.headlight.set_attributes(
         ambient=[settings.ambient] * 3, diffuse=[settings.fill] * 3, specular=[0] * 3
     )
@@ -213,15 +220,17 @@ def _chamfer(
 
 
 def _lamp(lamp: Lamp) -> mjcf.RootElement:
-    """A shade open below round the bulb, on a boom from a stand behind the table."""
+    """A shade open in front of the bulb, on a boom from a stand behind the table."""
     root = _model(LAMP)
     bulb = np.array(lamp.position)
+    forward = np.array(lamp.aim) - bulb
+    forward /= np.linalg.norm(forward)
     root.worldbody.add(
         "light",
         name="bulb",
         pos=bulb,
-        dir=[0, 0, -1],
-        cutoff=90,
+        dir=forward,
+        cutoff=lamp.cutoff,
         exponent=0,
         attenuation=lamp.attenuation,
         diffuse=[lamp.diffuse] * 3,
@@ -229,15 +238,15 @@ def _lamp(lamp: Lamp) -> mjcf.RootElement:
         specular=[0] * 3,
     )
     rgba = [0.75, 0.62, 0.25, 1]
-    top = bulb + [0, 0, 0.06]
+    top = bulb - 0.06 * forward
     foot = np.array([*lamp.stand, 0.0])
     elbow = np.array([*lamp.stand, top[2] + 0.1])
     root.worldbody.add(
         "geom",
         name="shade",
         type="cylinder",
-        size=[0.045, 0.02],
-        pos=bulb + [0, 0, 0.045],
+        size=[0.045],
+        fromto=[*(bulb - 0.025 * forward), *top],
         rgba=rgba,
     )
     for name, start, end, radius in (
@@ -305,12 +314,12 @@ def _jar(jar: Jar, physics: PhysicsSettings) -> mjcf.RootElement:
     return root
 
 
-def compile_twin(settings: SceneSettings, fingers: float) -> mujoco.MjModel:
+def compile_twin(settings: SceneSettings, fingers: tuple[float, ...]) -> mujoco.MjModel:
     """The kinematic twin for inverse kinematics: 14 arm joints and no jar.
 
     Args:
         settings: the same as for the scene.
-        fingers: proximal angle at which the fingers are welded [rad].
+        fingers: proximal angle at which each finger is welded [rad].
     """
     props = settings.props
     root = mjcf.from_path(str(paths.torso_xml()))
@@ -319,7 +328,7 @@ def compile_twin(settings: SceneSettings, fingers: float) -> mujoco.MjModel:
             element.remove()
     for joint in root.find_all("joint"):
         if "finger" in joint.name:
-            _weld(joint, fingers)
+            _weld(joint, fingers[int(joint.name.split("finger")[1][0]) - 1])
     root.attach(_table(props.table))
     root.attach(_well(props.well))
     root.attach(_lamp(props.lamp))

@@ -87,7 +87,9 @@ def test_energy_is_the_squared_norm(histogram, energy):
 def test_exposure_time_of_a_pixel_count_does_not_matter(histogram, factor):
     scaled = StateFeatureGenerator().scaled_histogram
     small = histogram / histogram.max()
-    np.testing.assert_allclose(scaled(factor * small), scaled(small), rtol=1e-12)
+    np.testing.assert_allclose(
+        scaled(factor * small), scaled(small), rtol=1e-12, atol=1e-300
+    )
 
 
 @pytest.mark.parametrize("energy", [0.3, 2.4, 7.0])
@@ -104,22 +106,22 @@ def test_unseen_object_has_no_visual_features():
 
 
 def test_both_readings_span_the_same_functions():
-    histogram = np.arange(100.0)
-    states = {
-        reading: np.array(
-            [
-                StateFeatureGenerator(FeatureSettings(reading=reading)).generate(
-                    np.roll(histogram, shift), holding
-                )
-                for shift in range(40)
-                for holding in HOLDINGS
-            ]
-        )
+    rng = np.random.default_rng(4)
+    histograms = rng.random((30, 4)) @ rng.random((4, 100))
+    states = [
+        [
+            StateFeatureGenerator(FeatureSettings(reading=reading)).generate(
+                histogram, holding
+            )
+            for histogram in histograms
+            for holding in HOLDINGS
+        ]
         for reading in READINGS
-    }
-    ranks = {np.linalg.matrix_rank(matrix) for matrix in states.values()}
-    both = np.linalg.matrix_rank(np.hstack(list(states.values())))
-    assert ranks == {both}
+    ]
+    # Pictures of 4 dimensions in 3 haptic states; of the 3 haptic features, the 90
+    # states with pictures scaled to one energy leave all independent.
+    for features in (*states, np.hstack(states)):
+        assert np.linalg.matrix_rank(features, tol=1e-9) == 3 * 4 + 3
 
 
 def test_result_does_not_share_memory_with_the_input():
