@@ -12,7 +12,7 @@ from prospect_mj.sim.props import Jar
 BEVEL = 0.0015
 SECTIONS = 96
 ROWS = 340
-BODY, LABEL, LID = (158, 107, 56), (217, 217, 204), (31, 51, 166)
+BODY, LABEL, LID = (158, 107, 56), (200, 195, 170), (235, 235, 225)
 
 
 def profile(jar: Jar) -> list[tuple[tuple[float, float], tuple[float, float]]]:

@@ -9,7 +9,7 @@ from prospect_mj.actions import plan, poses
 from prospect_mj.actions.action import ActionResult
 from prospect_mj.actions.belief import SeenJar
 from prospect_mj.actions.plan import Plan, Robot
-from prospect_mj.control.fine_motion import FineMotion
+from prospect_mj.control.fine_motion import PASSING, FineMotion
 from prospect_mj.control.grasp import GraspController
 from prospect_mj.control.gross_motion import GrossMotion
 from prospect_mj.control.hand_motion import HandMotion
@@ -38,7 +38,8 @@ def _lift(robot: Robot, side: Side, seen: SeenJar) -> Plan:
     arm, work = robot.arms[side], robot.workspace
     above = poses.raised(arm.grasp_pose(), work.lift)
     posture = plan.arm_posture(arm)
-    lifted = yield from plan.run(FineMotion(arm, above, posture, carrying=True))
+    lift = FineMotion(arm, above, posture, carrying=True, settings=PASSING)
+    lifted = yield from plan.run(lift)
     if lifted.converged:
         lifted = yield from plan.run(Weighing(arm, work.jar_weight))
     if not lifted.converged:

@@ -5,7 +5,7 @@ import numpy as np
 from prospect_mj.actions import plan, poses
 from prospect_mj.actions.action import ActionResult
 from prospect_mj.actions.plan import Plan, Robot, Step
-from prospect_mj.control.fine_motion import FineMotion
+from prospect_mj.control.fine_motion import PASSING, FineMotion
 from prospect_mj.control.gross_motion import GrossMotion
 from prospect_mj.control.hand_motion import HandMotion
 from prospect_mj.control.insertion import InsertionController, InsertionResult
@@ -61,7 +61,7 @@ def _release(robot: Robot, side: Side) -> plan.Steps:
     yield (HandMotion(side),)
     del robot.belief.held[side]
     above = poses.raised(arm.grasp_pose(), robot.workspace.stand_off)
-    yield (FineMotion(arm, above, posture.over_well(side)),)
+    yield (FineMotion(arm, above, posture.over_well(side), settings=PASSING),)
     yield (PostureMotion(arm, posture.home(side)),)
 
 

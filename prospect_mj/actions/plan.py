@@ -17,8 +17,8 @@ from prospect_mj.actions.poses import jar_over
 from prospect_mj.actions.workspace import Workspace
 from prospect_mj.control.arm_control import ArmControl
 from prospect_mj.control.controller import Controller
-from prospect_mj.control.fine_motion import FineMotion
-from prospect_mj.control.gross_motion import ARRIVING, GrossMotion
+from prospect_mj.control.fine_motion import PASSING, FineMotion
+from prospect_mj.control.gross_motion import GrossMotion
 from prospect_mj.control.hand_motion import HandMotion
 from prospect_mj.control.posture_motion import PostureMotion
 from prospect_mj.control.result import ControlResult, Status
@@ -60,7 +60,7 @@ def withdraw(robot: Robot, side: Side, target: mink.SE3) -> Steps:
     """Open a hand, back it out to `target` and bring its arm home."""
     arm = robot.arms[side]
     yield (HandMotion(side),)
-    yield (FineMotion(arm, target, arm_posture(arm)),)
+    yield (FineMotion(arm, target, arm_posture(arm), settings=PASSING),)
     yield (PostureMotion(arm, posture.home(side)),)
 
 
@@ -71,21 +71,14 @@ def arm_posture(arm: ArmControl) -> np.ndarray:
 
 def present(robot: Robot, side: Side) -> Step:
     """Bring a held jar to where it is kept between actions, lying along y."""
-    return (yield from run(presentation(robot, side)))
-
-
-def presentation(robot: Robot, side: Side) -> GrossMotion:
-    """The motion that brings a held jar to where it is kept between actions."""
     arm = robot.arms[side]
-    target = jar_over(
-        side,
-        arm.grasp_pose(),
-        robot.belief.held[side],
-        robot.workspace.presentation,
-        outward(side),
-    )
+    held, place = robot.belief.held[side], robot.workspace.presentation
+    target = jar_over(side, arm.grasp_pose(), held, place, outward(side))
     reference = posture.presenting(side)
-    return GrossMotion(arm, target, reference, carrying=True, settings=ARRIVING)
+    reached = yield from run(GrossMotion(arm, target, reference, carrying=True))
+    if not reached.converged:
+        return reached
+    return (yield from run(PostureMotion(arm, reference, carrying=True)))
 
 
 def outward(side: Side) -> np.ndarray:

@@ -4,7 +4,7 @@ from prospect_mj.actions import plan, poses
 from prospect_mj.actions.action import ActionResult
 from prospect_mj.actions.grasp import close_on
 from prospect_mj.actions.plan import Plan, Robot
-from prospect_mj.control.fine_motion import FineMotion
+from prospect_mj.control.fine_motion import PASSING, FineMotion
 from prospect_mj.control.hand_motion import HandMotion
 from prospect_mj.control.posture_motion import PostureMotion
 from prospect_mj.robot import names, posture
@@ -30,8 +30,8 @@ def _let_go(robot: Robot, giver: Side, taker: Side) -> Plan:
     yield (HandMotion(giver),)
     del robot.belief.held[giver]
     back = poses.backed_off(giving.grasp_pose(), robot.workspace.stand_off)
-    yield (FineMotion(giving, back, plan.arm_posture(giving)),)
-    carry = plan.presentation(robot, taker)
+    yield (FineMotion(giving, back, plan.arm_posture(giving), settings=PASSING),)
+    carry = PostureMotion(robot.arms[taker], posture.presenting(taker), carrying=True)
     yield (carry, PostureMotion(giving, posture.home(giver)))
     assert carry.result is not None
     if carry.result.converged:

@@ -24,13 +24,13 @@ class Workspace:
     """Where a held jar is kept between actions, and swapped (3,) [m]."""
     grip_inset: float = 0.020
     """Grip plane from the jar's end [m]."""
-    stand_off: float = 0.13
+    stand_off: float = 0.10
     """From which a hand approaches, and to which it backs out [m]."""
     lift: float = 0.05
     """Straight up out of the cradle [m]."""
-    rim_clearance: float = 0.03
+    rim_clearance: float = 0.025
     """Between the rim and the jar's lower end before the descent [m]."""
-    via_height: float = 0.16
+    via_height: float = 0.12
     """Of the jar's lower end above the rim while it is turned upright [m]."""
 
     @property

@@ -36,7 +36,9 @@ class MotionSettings:
     time_budget: float
     """[s]"""
     rest_speed: float = np.inf
-    """Joint speed below which the arm has arrived [rad/s]; infinite = passing by."""
+    """Hand speed below which it has arrived [m/s]; infinite = passing by."""
+    ramp_time: float = 0.2
+    """From rest to full speed [s]; a jerk would shake a held object loose."""
     stall_time: float = 1.0
     """Without any progress for this long, it has stalled [s]."""
 
@@ -58,6 +60,9 @@ class HandServo:
         arm: which arm, and its kinematics.
         posture: joint angles (7,) [rad] that resolve the redundancy.
         settings: speed, roll and wind-up.
+
+    Attributes:
+        speed: of the hand over the last control period [m/s].
     """
 
     def __init__(
@@ -65,11 +70,17 @@ class HandServo:
     ) -> None:
         """Keep what the law needs."""
         self._arm, self._posture, self._settings = arm, posture, settings
+        self._ticks = 0
+        self._place: np.ndarray | None = None
+        self.speed = 0.0
 
     def error(self, target: mink.SE3) -> PoseError:
         """How far the hand is from `target`, roll left out where it is free."""
         pose = self._arm.grasp_pose()
-        offset = target.translation() - pose.translation()
+        place = pose.translation()
+        moved = 0.0 if self._place is None else float(np.linalg.norm(place - self._place))
+        self.speed, self._place = moved / CONTROL_PERIOD, place
+        offset = target.translation() - place
         turn = (pose.rotation().inverse() @ target.rotation()).log()
         if self._settings.free_roll:
             turn[2] = 0.0
@@ -97,7 +108,9 @@ class HandServo:
     def _saturated(self, target: mink.SE3) -> mink.SE3:
         """A pose on the straight way that the IK gain turns into the wanted speed."""
         pose = self._arm.grasp_pose()
-        reach = CONTROL_PERIOD / self._arm.ik.settings.gain
+        self._ticks += 1
+        ramp = self._ticks * CONTROL_PERIOD / self._settings.ramp_time
+        reach = min(1.0, ramp) * CONTROL_PERIOD / self._arm.ik.settings.gain
         offset = target.translation() - pose.translation()
         turn = (pose.rotation().inverse() @ target.rotation()).log()
         offset = _shortened(offset, self._settings.speed * reach)
@@ -158,7 +171,7 @@ class CartesianMotion(Controller):
         elif (
             error.position < settings.position_tolerance
             and error.angle < settings.angle_tolerance
-            and np.abs(own.velocities).max() < settings.rest_speed
+            and self._servo.speed < settings.rest_speed
         ):
             self._finish(Status.CONVERGED)
         elif self._idle > settings.stall_time:

@@ -27,7 +27,7 @@ from prospect_mj.sim.scene import LAMP, PEDESTAL, TABLE, WELL
 class IKSettings:
     """Weights and limits of the QP."""
 
-    gain: float = 0.15
+    gain: float = 0.20
     """Share of the pose error to remove per control period; above 0.5 it jitters."""
     orientation_cost: float = 0.5
     """[1/rad] against a position cost of 1 [1/m]."""

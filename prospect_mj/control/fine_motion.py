@@ -1,5 +1,7 @@
 """Fine motion: slow and exact Cartesian movements of a hand over the last decimetres."""
 
+from dataclasses import replace
+
 import mink
 import numpy as np
 
@@ -7,15 +9,20 @@ from prospect_mj.control.arm_control import ArmControl
 from prospect_mj.control.cartesian_motion import CartesianMotion, MotionSettings
 
 FINE = MotionSettings(
-    speed=0.25,
+    speed=0.35,
     turn_speed=1.5,
     position_tolerance=0.002,
     angle_tolerance=0.015,
     free_roll=False,
     windup=0.15,
     time_budget=4.0,
-    rest_speed=0.1,
+    rest_speed=0.03,
 )
+
+PASSING = replace(
+    FINE, speed=0.40, position_tolerance=0.012, angle_tolerance=0.05, rest_speed=np.inf
+)
+"""Fine motion through a point on the way: lifting, backing out."""
 
 
 class FineMotion(CartesianMotion):

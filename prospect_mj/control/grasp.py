@@ -51,7 +51,7 @@ class GraspSettings:
     """Motor angle at which nothing can be between the fingers any more [rad]."""
     settle_time: float = 0.06
     """All three must touch for this long before the residual counts [s]."""
-    residual_threshold: float = 0.01
+    residual_threshold: float = 0.02
     """eps below which the contacts balance [1]."""
     rate_threshold: float = 0.2
     """|d eps/dt| below which the residual is at rest [1/s]."""
@@ -64,8 +64,8 @@ class GraspSettings:
     lift_off_time: float = 0.1
     """[s]"""
     max_probes: int = 6
-    squeeze_lead: float = 0.065
-    """Final servo lead [rad]; 25 N m/rad make 15 N per fingertip of it."""
+    squeeze_lead: float = 0.075
+    """Final servo lead [rad]; 25 N m/rad make 17 N per fingertip of it."""
     squeeze_time: float = 0.2
     """[s]"""
     least_force: float = 4.0

@@ -1,7 +1,5 @@
 """Gross motion: large, quick and coarse movements of a hand, roll left free."""
 
-from dataclasses import replace
-
 import mink
 import numpy as np
 
@@ -17,11 +15,6 @@ GROSS = MotionSettings(
     windup=0.15,
     time_budget=5.0,
 )
-
-ARRIVING = replace(
-    GROSS, position_tolerance=0.005, angle_tolerance=0.03, rest_speed=0.1
-)
-"""Gross motion that comes to rest at its target."""
 
 
 class GrossMotion(CartesianMotion):

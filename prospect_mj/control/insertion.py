@@ -40,14 +40,14 @@ class InsertionSettings:
 
     free_speed: float = 0.12
     """Descent while the object is above the rim [m/s]."""
-    rim_speed: float = 0.025
+    rim_speed: float = 0.03
     """Descent where the object may meet the rim [m/s]."""
     rim_zone: tuple[float, float] = (-0.018, 0.004)
     """That stretch, relative to where the object's lower end passes the rim [m]."""
     rim_windup: float = 0.012
     """Servo lead there [rad]: about 15 N at the hand, which no grip of three times
     15 N slips under."""
-    inner_speed: float = 0.06
+    inner_speed: float = 0.10
     """Descent inside [m/s]."""
     windup: float = 0.03
     """Servo lead elsewhere [rad]."""

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from prospect_mj.control.arm_control import ArmControl
+from prospect_mj.control.cartesian_motion import MIN_CONTACTS, RELEASE_TIME
 from prospect_mj.control.controller import CONTROL_PERIOD, Controller
 from prospect_mj.control.result import Status, Targets
-from prospect_mj.robot.torso import Reading
+from prospect_mj.robot.torso import ArmReading, Reading
 
 
 @dataclass(frozen=True)
@@ -18,6 +19,8 @@ class PostureSettings:
     """Largest joint error [rad]."""
     windup: float = 0.15
     """Most that a servo target may lead the measured angle [rad]."""
+    ramp_time: float = 0.2
+    """From rest to full speed [s]."""
     time_budget: float = 4.0
     """[s]"""
 
@@ -28,6 +31,7 @@ class PostureMotion(Controller):
     Args:
         arm: which arm, and its kinematics.
         posture: joint angles (7,) [rad].
+        carrying: whether an object must stay in the hand.
         settings: tolerance and time budget.
     """
 
@@ -35,12 +39,14 @@ class PostureMotion(Controller):
         self,
         arm: ArmControl,
         posture: np.ndarray,
+        carrying: bool = False,
         settings: PostureSettings | None = None,
     ) -> None:
         """Start towards `posture`."""
         self._settings = PostureSettings() if settings is None else settings
         super().__init__(arm.side, self._settings.time_budget)
-        self._arm, self._posture = arm, posture
+        self._arm, self._posture, self._carrying = arm, posture, carrying
+        self._empty = 0.0
 
     def _law(self, reading: Reading) -> Targets:
         own = reading[self.side]
@@ -49,7 +55,15 @@ class PostureMotion(Controller):
             self._finish(Status.CONVERGED)
             # The exact posture, so that every action starts from the same commands.
             return Targets(joints=self._posture)
+        self._watch(own)
         velocity = self._arm.ik.solve_posture(self._posture)
-        ahead = own.joint_command + velocity * CONTROL_PERIOD
+        ramp = min(1.0, (self.seconds + CONTROL_PERIOD) / self._settings.ramp_time)
+        ahead = own.joint_command + ramp * velocity * CONTROL_PERIOD
         windup = self._settings.windup
         return Targets(joints=np.clip(ahead, own.joints - windup, own.joints + windup))
+
+    def _watch(self, own: ArmReading) -> None:
+        held = not self._carrying or own.touch.found.sum() >= MIN_CONTACTS
+        self._empty = 0.0 if held else self._empty + CONTROL_PERIOD
+        if self._empty > RELEASE_TIME:
+            self._finish(Status.LOST, "fewer than two fingertips feel the object")

@@ -31,9 +31,7 @@ class Pinhole:
     """Columns and rows of the image [pixels]."""
 
     @classmethod
-    def of_model(
-        cls, model: mujoco.MjModel, name: str, size: tuple[int, int]
-    ) -> Self:
+    def of_model(cls, model: mujoco.MjModel, name: str, size: tuple[int, int]) -> Self:
         """Calibrate from the model: what a checkerboard would tell of a fixed eye.
 
         Raises:

@@ -84,15 +84,16 @@ class Well:
 class Lamp:
     """A desk lamp to one side: inverse-square light is what makes the images differ."""
 
-    position: tuple[float, float, float] = (0.45, 0.90, 0.90)
-    """Of the bulb [m]: beyond what the left arm sweeps in any of the six actions."""
+    position: tuple[float, float, float] = (0.50, 0.80, 1.20)
+    """Of the bulb [m]: clear of what the left arm sweeps, and so high that the waiting
+    left hand casts no shadow on the jar."""
     aim: tuple[float, float, float] = (0.62, 0.0, 0.20)
     """Where the shade points [m]: at the place where objects are presented."""
-    cutoff: float = 75.0
+    cutoff: float = 60.0
     """Half angle of the cone that leaves the shade [degrees]."""
     diffuse: float = 1.0
     """Intensity, all three channels."""
-    attenuation: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    attenuation: tuple[float, float, float] = (0.0, 0.0, 0.8)
     """Constant, linear [1/m] and quadratic [1/m^2] coefficient: inverse square."""
     stand: tuple[float, float] = (0.80, 0.66)
     """Foot of the stand on the table [m]."""

@@ -43,9 +43,9 @@ class SceneSettings:
 
     props: Props = field(default_factory=Props)
     physics: PhysicsSettings = field(default_factory=PhysicsSettings)
-    shadow_size: int = 1024
+    shadow_size: int = 512
     """Resolution of the lamp's shadow map [pixels]; 4096 costs ten times as much."""
-    ambient: float = 0.1
+    ambient: float = 0.15
     """Headlight that reaches every surface."""
     fill: float = 0.05
     """Headlight from the camera's direction."""

@@ -41,7 +41,7 @@ class SegmentationSettings:
     """Side of the Gaussian filter against sensor noise [pixels]."""
     percentile: float = 98.0
     """Of brightness and hue distance in the border that is still the table [%]."""
-    margin: float = 6.0
+    margin: float = 4.0
     """By which an object's pixel exceeds that percentile [grey levels]."""
     opening: int = 3
     """Bridges narrower than this are cut [pixels]."""

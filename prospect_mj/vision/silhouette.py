@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
 from prospect_mj.vision.segmentation import Region
 
@@ -52,11 +53,26 @@ class Silhouette:
         edges = (self.mask[0], self.mask[-1], self.mask[:, 0], self.mask[:, -1])
         return any(bool(edge.any()) for edge in edges)
 
+    def even_pixels(self, clearance: int, tolerance: float) -> NDArray[np.float64]:
+        """The object's pixels (m, 2) that are far from ends and from steps in width.
+
+        Args:
+            clearance: how far [pixels].
+            tolerance: the difference in half width that makes a step [pixels].
+        """
+        window, ends = 2 * clearance + 1, {"mode": "constant", "cval": 0.0}
+        wide = maximum_filter1d(self.half_widths, window, **ends)
+        thin = minimum_filter1d(self.half_widths, window, **ends)
+        return self.pixels[(wide - thin < tolerance)[self._slices_of(self.pixels)]]
+
     def half_width_at(self, pixels: NDArray[np.float64]) -> NDArray[np.float64]:
         """Half the width of the slices in which the pixels (n, 2) lie, (n,)."""
+        return self.half_widths[self._slices_of(pixels)]
+
+    def _slices_of(self, pixels: NDArray[np.float64]) -> NDArray[np.intp]:
         along = (pixels - self.origin) @ self.direction
-        slices = np.floor(along - self.start).astype(int)
-        return self.half_widths[np.clip(slices, 0, len(self.half_widths) - 1)]
+        slices = np.floor(along - self.start).astype(np.intp)
+        return np.clip(slices, 0, len(self.half_widths) - 1)
 
 
 def silhouette_of(mask: NDArray[np.uint8], region: Region) -> Silhouette:
