@@ -2,7 +2,14 @@
 
 from collections.abc import Callable
 
-from prospect_mj.actions.action import Action, ActionOutcome, ControllerRun
+import numpy as np
+
+from prospect_mj.actions.action import (
+    Action,
+    ActionOutcome,
+    ActionResult,
+    ControllerRun,
+)
 from prospect_mj.actions.belief import Belief
 from prospect_mj.actions.grasp import grasp
 from prospect_mj.actions.held import felt_jar
@@ -56,6 +63,10 @@ class ActionRunner:
         """Start a trial with what the first look told."""
         self.belief = belief
         self.twin.update(self._torso.read())
+        if belief.seen is not None:
+            x, y, _ = belief.seen.axis
+            yaw = float(np.arctan2(-x, y))
+            self.twin.place_pedestal(belief.seen.position, yaw)
 
     def execute(self, action: Action) -> ActionOutcome:
         """Run an action to its end; whether it may run is the supervisor's affair."""
@@ -69,7 +80,8 @@ class ActionRunner:
                 controllers = next(plan)
             except StopIteration as end:
                 seconds = float(self._simulation.data.time - start)
-                return ActionOutcome(action, True, end.value, seconds, tuple(runs))
+                moved = end.value is not ActionResult.NOT_SEEN
+                return ActionOutcome(action, moved, end.value, seconds, tuple(runs))
             self._run(controllers)
             runs += [_record(controller) for controller in controllers]
 

@@ -22,7 +22,7 @@ class Workspace:
     """[m]"""
     presentation: np.ndarray
     """Where a held jar is kept between actions, and swapped (3,) [m]."""
-    grip_inset: float = 0.020
+    grip_inset: float = 0.027
     """Grip plane from the jar's end [m]."""
     stand_off: float = 0.10
     """From which a hand approaches, and to which it backs out [m]."""

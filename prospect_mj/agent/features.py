@@ -129,7 +129,6 @@ class StateFeatureGenerator:
         high = np.ones(N_FEATURES)
         high[: 3 * N_BINS] = largest
         low = np.zeros(N_FEATURES)
-        low[-1] = 1.0
         return FeatureBounds(low, high)
 
 

@@ -23,7 +23,9 @@ class MotionSettings:
     speed: float
     """Of the grasp site along a straight line [m/s]."""
     turn_speed: float
-    """[rad/s]"""
+    """[rad/s]. MuJoCo's contacts leave out the centripetal term of relative motion, so
+    a held object creeps outward by about 1.5 timestep x speed x radius x angle: 1 mm
+    for a quarter turn at 1.7 rad/s."""
     position_tolerance: float
     """[m]"""
     angle_tolerance: float

@@ -8,7 +8,7 @@ from prospect_mj.control.cartesian_motion import CartesianMotion, MotionSettings
 
 GROSS = MotionSettings(
     speed=0.5,
-    turn_speed=3.0,
+    turn_speed=1.7,
     position_tolerance=0.015,
     angle_tolerance=0.10,
     free_roll=True,

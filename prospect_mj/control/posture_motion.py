@@ -19,6 +19,9 @@ class PostureSettings:
     """Largest joint error [rad]."""
     windup: float = 0.15
     """Most that a servo target may lead the measured angle [rad]."""
+    carrying_speed: float = 1.2
+    """Of the fastest joint while an object is in the hand [rad/s]; see
+    `MotionSettings.turn_speed`."""
     ramp_time: float = 0.2
     """From rest to full speed [s]."""
     time_budget: float = 4.0
@@ -57,6 +60,9 @@ class PostureMotion(Controller):
             return Targets(joints=self._posture)
         self._watch(own)
         velocity = self._arm.ik.solve_posture(self._posture)
+        if self._carrying:
+            fastest = float(np.abs(velocity).max())
+            velocity *= min(1.0, self._settings.carrying_speed / max(fastest, 1e-9))
         ramp = min(1.0, (self.seconds + CONTROL_PERIOD) / self._settings.ramp_time)
         ahead = own.joint_command + ramp * velocity * CONTROL_PERIOD
         windup = self._settings.windup

@@ -54,7 +54,7 @@ def torso_xml() -> str:
     """The whole file `models/torso.xml`."""
     root = ET.Element("mujoco", model="torso")
     ET.SubElement(root, "compiler", angle="radian", autolimits="true")
-    ET.SubElement(root, "option", timestep="0.004", integrator="implicitfast")
+    ET.SubElement(root, "option", timestep="0.0025", integrator="implicitfast")
     _assets(ET.SubElement(root, "asset"))
     world = ET.SubElement(root, "worldbody")
     _trunk(world)

@@ -22,7 +22,7 @@ SLOPE = np.pi / 4
 class PhysicsSettings:
     """MuJoCo's options; a grasp held for 2 s creeps 0.02 mm under them."""
 
-    timestep: float = 0.004
+    timestep: float = 0.0025
     """[s]"""
     integrator: str = "implicitfast"
     cone: str = "elliptic"

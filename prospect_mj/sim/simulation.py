@@ -1,5 +1,6 @@
 """The live physics: owner of MjModel and MjData, and the only caller of mj_step."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import mujoco
@@ -32,6 +33,7 @@ class Simulation:
     Attributes:
         model: the compiled scene.
         data: its live state; read it, but let only this class change or step it.
+        observer: called with the state after every physics step; must not change it.
     """
 
     def __init__(self, settings: SceneSettings | None = None) -> None:
@@ -39,6 +41,7 @@ class Simulation:
         self.settings = SceneSettings() if settings is None else settings
         self.model = compile_scene(self.settings)
         self.data = mujoco.MjData(self.model)
+        self.observer: Callable[[mujoco.MjData], None] | None = None
         self._jar = self.model.body(f"{JAR}/").id
         self._jar_qpos = int(self.model.jnt_qposadr[self.model.body_jntadr[self._jar]])
         pedestal = self.model.body(f"{PEDESTAL}/").id
@@ -81,7 +84,12 @@ class Simulation:
         Raises:
             SimulationDiverged: if MuJoCo raised a warning on the way.
         """
-        mujoco.mj_step(self.model, self.data, n)
+        if self.observer is None:
+            mujoco.mj_step(self.model, self.data, n)
+        else:
+            for _ in range(n):
+                mujoco.mj_step(self.model, self.data)
+                self.observer(self.data)
         if self.data.warning.number.any():
             raised = np.flatnonzero(self.data.warning.number)
             kinds = [mujoco.mjtWarning(int(i)).name for i in raised]

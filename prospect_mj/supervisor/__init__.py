@@ -1,0 +1,1 @@
+"""Which of the six actions may run, and which the learner may choose."""

@@ -1,0 +1,1 @@
+"""Vision: from a stereo image pair to the object's histogram and pose."""

@@ -59,10 +59,11 @@ def segment(patch: Image, settings: SegmentationSettings) -> NDArray[np.uint8]:
     Returns:
         (rows, columns) 1 on the object, 0 elsewhere; all 0 if there is none.
     """
-    colour = cv2.GaussianBlur(patch, (settings.smoothing,) * 2, 0).astype(np.float32)
+    smooth = cv2.GaussianBlur(patch, (settings.smoothing,) * 2, 0)
+    channels = np.array(cv2.split(smooth), np.float32)
     frame = _frame(patch.shape[:2], settings.border)
-    brightness = colour.max(axis=2)
-    hue = _distance_from_hue(colour, colour[frame].sum(axis=0))
+    brightness = channels.max(axis=0)
+    hue = _distance_from_hue(channels, channels[:, frame].sum(axis=1))
     excess = np.maximum(
         brightness - np.percentile(brightness[frame], settings.percentile),
         hue - np.percentile(hue[frame], settings.percentile),
@@ -77,13 +78,12 @@ def _frame(shape: tuple[int, int], width: int) -> NDArray[np.bool_]:
 
 
 def _distance_from_hue(
-    colour: NDArray[np.float32], hue: NDArray[np.float32]
+    channels: NDArray[np.float32], hue: NDArray[np.float32]
 ) -> NDArray[np.float32]:
-    """Distance (rows, columns) of colours from the line through black and `hue`."""
+    """Distance (rows, columns) of colours from the line of all shades of `hue` (3,)."""
     unit = hue / max(float(np.linalg.norm(hue)), 1e-6)
-    along = colour @ unit
-    squared = np.einsum("ijk,ijk->ij", colour, colour) - along**2
-    return np.sqrt(np.maximum(squared, 0))
+    along = np.tensordot(unit, channels, axes=1)
+    return np.sqrt(np.maximum((channels**2).sum(axis=0) - along**2, 0.0))
 
 
 def _cleaned(

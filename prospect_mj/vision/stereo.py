@@ -36,6 +36,8 @@ class StereoSettings:
     a cap or a shoulder there, and a ring of the surface leaves its slice [pixels]."""
     step_width: float = 3.0
     """Difference in half width that counts as a step [pixels]."""
+    min_compared: int = 50
+    """Fewer pixels than this agree by chance; they count as uncorrelated."""
     grazing: float = 0.8
     """Sine of the angle from which on pixels of the flanks are left out."""
 
@@ -111,6 +113,15 @@ class _Match:
         """Of the grey levels that both eyes see of the same points, in [-1, 1]."""
         surface = self._left.surface(self._pixels, *self.assumed(distance))
         shared = surface.turn < self._settings.grazing
+        if np.count_nonzero(shared) < self._settings.min_compared:
+            return 0.0
         there = self._right.eye.project(surface.points[shared]).astype(np.float32)
         found = cv2.remap(self._right.grey, there[None], None, cv2.INTER_LINEAR)[0]
-        return float(np.corrcoef(found, self._seen[shared])[0, 1])
+        return _correlation(found, self._seen[shared])
+
+
+def _correlation(a: NDArray[np.float32], b: NDArray[np.float32]) -> float:
+    """Pearson's coefficient; 0 where one of them does not vary."""
+    a, b = a - a.mean(), b - b.mean()
+    spread = np.sqrt((a @ a) * (b @ b))
+    return float(a @ b / spread) if spread > 0 else 0.0

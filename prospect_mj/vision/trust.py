@@ -16,7 +16,7 @@ class TrustSettings:
     """Less than this in both eyes is nothing at all [pixels]."""
     max_area_ratio: float = 1.15
     """Of the two outlines; beyond it something hides the object from one eye."""
-    length: tuple[float, float] = (0.155, 0.185)
+    length: tuple[float, float] = (0.163, 0.180)
     """Of an object that the hands and the well are made for [m]."""
     radius: tuple[float, float] = (0.025, 0.055)
     """The same at both ends [m]."""

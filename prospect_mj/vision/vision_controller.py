@@ -51,7 +51,7 @@ class VisionSettings:
 
 
 class VisionController:
-    """Looks at the place where objects are presented; keeps nothing from look to look."""
+    """Looks where objects are presented; keeps nothing from one look to the next."""
 
     def __init__(
         self, left: Pinhole, right: Pinhole, settings: VisionSettings | None = None

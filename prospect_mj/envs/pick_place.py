@@ -1,0 +1,215 @@
+"""The pick and place task as a Gymnasium environment."""
+
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+import gymnasium
+import mujoco
+import numpy as np
+from gymnasium import spaces
+from numpy.typing import NDArray
+
+from prospect_mj.actions.action import Action, ActionResult
+from prospect_mj.agent.features import FeatureSettings, Holding, StateFeatureGenerator
+from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.supervisor.supervisor import Mode
+from prospect_mj.task.pick_place import ObjectPose, PickPlaceTask, TaskSettings
+from prospect_mj.task.presentation import (
+    ORIENTATIONS,
+    Orientation,
+    PresentationSettings,
+    checked_orientation,
+)
+
+
+@dataclass(frozen=True)
+class PickPlaceSettings:
+    """The environment's arguments."""
+
+    supervisor: Mode = "none"
+    """Choice set: `none` = all six actions, `safe`, `productive`."""
+    object_pose: ObjectPose = "vision"
+    """Source of the jar's first pose; `truth` is an ablation."""
+    max_actions: int = 10
+    """After which a trial is truncated."""
+    features: FeatureSettings = field(default_factory=FeatureSettings)
+    """Reading and scale of the 303 features."""
+    presentation: PresentationSettings = field(default_factory=PresentationSettings)
+    """Spread of the jar's place and of the lamp's brightness."""
+
+    def __post_init__(self) -> None:
+        """Refuse a trial without actions."""
+        if not 1 <= self.max_actions <= 1000:
+            raise InvalidValue("max_actions", self.max_actions, "1 to 1000")
+
+
+class PickPlaceEnv(gymnasium.Env[NDArray[np.float64], int]):
+    """A two-armed torso picks up a jar and inserts it into a receptacle.
+
+    ## Description
+    A jar lies in a cradle with its lid to the left or to the right. It fits into the
+    receptacle only base first, so only a hand that holds it by the lid end can insert
+    it. Each action is a closed-loop behaviour of seconds in full MuJoCo physics; the
+    robot sees the jar once, before the first action, and feels it from then on.
+
+    ## Action space
+    `Discrete(6)`:
+
+    | action | meaning |
+    |---|---|
+    | 0 | grasp left: pick the jar up with the left hand by its left end |
+    | 1 | grasp right |
+    | 2 | swap left to right: hand the jar over in the air |
+    | 3 | swap right to left |
+    | 4 | insert left: insert the jar that the left hand holds |
+    | 5 | insert right |
+
+    An action that the grasp predicates do not allow moves nothing and changes nothing.
+
+    ## Observation space
+    `Box((303,))`: with v the scaled 100-bin intensity histogram of the jar's pixels and
+    h_L, h_R the grasp predicates, (v, v h_L, v h_R, h_L, h_R, 1); see
+    `prospect_mj.agent.features`.
+
+    ## Starting state
+    Arms at rest, hands open. The jar's position is uniform within 2 cm in x and y and
+    1 cm in z of its nominal, its yaw within 10 degrees, the lamp's brightness within
+    10 %. `reset(options={"orientation": "left" | "right"})` sets the side on which the
+    lid lies; otherwise it is drawn.
+
+    ## Rewards
+    -1 per action.
+
+    ## Episode end
+    Terminated when the jar stands in the receptacle; truncated after ten actions.
+
+    ## Info
+    The same keys from `reset` and `step`:
+
+    | key | meaning |
+    |---|---|
+    | `action_mask` | (6,) int8, the choice set of the supervisor's mode |
+    | `orientation` | the side on which the lid lies |
+    | `holding` | "none", "left" or "right": the grasp predicates |
+    | `executed` | whether the action was run (False from `reset`) |
+    | `result` | an `ActionResult`, such as "success" or "jammed"; from `reset` the \
+status of the look: "found", "unsure" or "not_found" |
+    | `sim_seconds` | simulated time of this action [s] |
+    | `inserted` | whether the jar stands in the receptacle |
+
+    ## Arguments
+    `settings`: a `PickPlaceSettings`.
+
+    ## References
+    Wheeler, Fagg and Grupen, "Learning prospective pick and place behavior", ICDL 2002.
+
+    ## Version history
+    * v0: first version.
+    """
+
+    metadata: ClassVar[dict[str, Any]] = {"render_modes": []}
+
+    def __init__(
+        self, settings: PickPlaceSettings | None = None, render_mode: None = None
+    ) -> None:
+        """Build the task; `render_mode` must be None."""
+        if render_mode is not None:
+            raise InvalidChoice("render_mode", render_mode, [None])
+        self.render_mode = None
+        self.settings = PickPlaceSettings() if settings is None else settings
+        self.task = PickPlaceTask(
+            TaskSettings(
+                supervisor=self.settings.supervisor,
+                object_pose=self.settings.object_pose,
+                presentation=self.settings.presentation,
+            )
+        )
+        self._generator = StateFeatureGenerator(self.settings.features)
+        low, high = self._generator.bounds
+        self.observation_space = spaces.Box(low, high, dtype=np.float64)
+        self.action_space = spaces.Discrete(len(Action))
+        self._orientation: Orientation = ORIENTATIONS[0]
+        self._n_actions: int | None = None
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        """The live scene."""
+        return self.task.simulation.model
+
+    @property
+    def data(self) -> mujoco.MjData:
+        """The live state."""
+        return self.task.simulation.data
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[NDArray[np.float64], dict[str, Any]]:
+        """Present the jar and look at it.
+
+        Raises:
+            InvalidChoice: on an unknown option or orientation.
+        """
+        super().reset(seed=seed)
+        self._orientation = self._presented(options or {})
+        look = self.task.reset(self._orientation, self.np_random)
+        self._n_actions = 0
+        return self._observation(), self._info(False, look.status, 0.0)
+
+    def _presented(self, options: dict[str, Any]) -> Orientation:
+        unknown = set(options) - {"orientation"}
+        if unknown:
+            raise InvalidChoice("reset option", min(unknown), ["orientation"])
+        drawn = ORIENTATIONS[int(self.np_random.integers(len(ORIENTATIONS)))]
+        return checked_orientation(options.get("orientation", drawn))
+
+    def step(
+        self, action: int
+    ) -> tuple[NDArray[np.float64], float, bool, bool, dict[str, Any]]:
+        """Run one of the six actions to its end.
+
+        Raises:
+            InvalidChoice: if there is no such action.
+            gymnasium.error.ResetNeeded: before the first reset and after the end.
+        """
+        if self._n_actions is None:
+            raise gymnasium.error.ResetNeeded("call reset before step")
+        if not self.action_space.contains(action):
+            raise InvalidChoice("action", action, range(len(Action)))
+        outcome = self.task.execute(Action(int(action)))
+        self._n_actions += 1
+        terminated = self.task.inserted
+        truncated = not terminated and self._n_actions >= self.settings.max_actions
+        info = self._info(outcome.executed, outcome.result, outcome.sim_seconds)
+        observation = self._observation()
+        if terminated or truncated:
+            self._n_actions = None
+        return observation, -1.0, terminated, truncated, info
+
+    @property
+    def _holding(self) -> Holding:
+        return self.task.holder or "none"
+
+    def _observation(self) -> NDArray[np.float64]:
+        assert self.task.look is not None
+        return self._generator.generate(self.task.look.histogram, self._holding)
+
+    def _info(
+        self, executed: bool, result: str | ActionResult, sim_seconds: float
+    ) -> dict[str, Any]:
+        return {
+            "action_mask": self.task.supervisor.choice_set(self.task.holder),
+            "orientation": self._orientation,
+            "holding": self._holding,
+            "executed": executed,
+            "result": str(result),
+            "sim_seconds": sim_seconds,
+            "inserted": self.task.inserted,
+        }
+
+    def action_masks(self) -> NDArray[np.bool_]:
+        """The choice set as booleans (6,), for agents that ask the environment."""
+        return self.task.supervisor.choice_set(self.task.holder).astype(bool)
+
+    def close(self) -> None:
+        """Close the eyes."""
+        self.task.close()

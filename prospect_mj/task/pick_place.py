@@ -1,0 +1,139 @@
+"""One trial of the task on live physics: present, look once, act."""
+
+from dataclasses import dataclass, field
+from types import TracebackType
+from typing import Literal, Self, get_args
+
+import numpy as np
+
+from prospect_mj.actions.action import Action, ActionOutcome, ActionResult
+from prospect_mj.actions.belief import Belief, SeenJar
+from prospect_mj.actions.runner import ActionRunner
+from prospect_mj.errors import InvalidChoice
+from prospect_mj.robot.names import Side
+from prospect_mj.sim.camera import EyeSettings, StereoCamera
+from prospect_mj.sim.scene import SceneSettings
+from prospect_mj.sim.simulation import Simulation
+from prospect_mj.supervisor.supervisor import Mode, Supervisor
+from prospect_mj.task.presentation import (
+    Orientation,
+    Presentation,
+    PresentationSettings,
+    draw_presentation,
+)
+from prospect_mj.task.scoring import is_inserted
+from prospect_mj.vision.look import Look
+from prospect_mj.vision.vision_controller import VisionController, VisionSettings
+
+ObjectPose = Literal["vision", "truth"]
+
+
+@dataclass(frozen=True)
+class TaskSettings:
+    """Everything below the learner."""
+
+    supervisor: Mode = "none"
+    """What the learner may choose from."""
+    object_pose: ObjectPose = "vision"
+    """Where the controllers know the jar's first pose from; `truth` is an ablation."""
+    scene: SceneSettings = field(default_factory=SceneSettings)
+    presentation: PresentationSettings = field(default_factory=PresentationSettings)
+    eyes: EyeSettings = field(default_factory=EyeSettings)
+    vision: VisionSettings = field(default_factory=VisionSettings)
+
+    def __post_init__(self) -> None:
+        """Refuse an object pose from nowhere."""
+        if self.object_pose not in get_args(ObjectPose):
+            raise InvalidChoice("object pose", self.object_pose, get_args(ObjectPose))
+
+
+class PickPlaceTask:
+    """The torso, the jar and the receptacle, with the six actions to try.
+
+    Args:
+        settings: everything below the learner.
+
+    Attributes:
+        simulation: the live physics.
+        runner: runs the actions; holds the robot's belief.
+        supervisor: decides which actions may run.
+        presentation: of the present trial.
+        look: what vision made of it.
+    """
+
+    def __init__(self, settings: TaskSettings | None = None) -> None:
+        """Compile the models and open the eyes.
+
+        Raises:
+            MissingFile: if a model or asset file is missing.
+            RenderingUnavailable: if there is no OpenGL.
+        """
+        self.settings = TaskSettings() if settings is None else settings
+        self.simulation = Simulation(self.settings.scene)
+        self.runner = ActionRunner(self.simulation)
+        self.supervisor = Supervisor(self.settings.supervisor)
+        self._camera = StereoCamera(self.simulation.model, self.settings.eyes)
+        self._vision = VisionController(
+            self._camera.left, self._camera.right, self.settings.vision
+        )
+        self.presentation: Presentation | None = None
+        self.look: Look | None = None
+
+    def reset(self, orientation: Orientation, rng: np.random.Generator) -> Look:
+        """Present the jar and look at it once.
+
+        Args:
+            orientation: the side on which the lid lies.
+            rng: source of the presentation and of the sensor noise.
+        """
+        nominal = self.settings.scene.props.pedestal.nominal
+        spread = self.settings.presentation
+        presentation = draw_presentation(spread, nominal, orientation, rng)
+        self.simulation.reset(presentation.placement, presentation.lamp_gain)
+        look = self._vision.look(self._camera.capture(self.simulation.data, rng))
+        self.runner.begin(Belief(seen=self._seen(look)))
+        self.presentation, self.look = presentation, look
+        return look
+
+    def _seen(self, look: Look) -> SeenJar | None:
+        """What the controllers get to know of the jar's pose."""
+        if self.settings.object_pose == "truth":
+            axis = self.simulation.jar_axis
+            left = axis if axis[1] > 0 else -axis
+            return SeenJar(self.simulation.jar_position, left)
+        if look.position is None or look.axis is None:
+            return None
+        return SeenJar(look.position, look.axis)
+
+    @property
+    def holder(self) -> Side | None:
+        """The hand whose grasp predicate is on."""
+        return self.runner.belief.holding
+
+    @property
+    def inserted(self) -> bool:
+        """Whether the jar stands in the receptacle and no hand holds it."""
+        return self.holder is None and is_inserted(self.simulation)
+
+    def execute(self, action: Action) -> ActionOutcome:
+        """Run an action, or do nothing at all if the supervisor does not let it."""
+        if not self.supervisor.may_run(action, self.holder):
+            return ActionOutcome(action, False, ActionResult.NOT_ALLOWED, 0.0)
+        return self.runner.execute(action)
+
+    def close(self) -> None:
+        """Close the eyes."""
+        self._camera.close()
+
+    def __enter__(self) -> Self:
+        """Return the open task."""
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        value: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        """Close it."""
+        self.close()
