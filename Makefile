@@ -69,5 +69,5 @@ $(DEV): $(RUNTIME)
 	@touch $@
 
 $(GL): $(RUNTIME)
-	@$(BIN)/python -m prospect_mj.sim.gl
+	@$(BIN)/python -m prospect_mj.cli.check_gl
 	@touch $@

@@ -1,5 +1,6 @@
 """Write assets/jar.obj and its texture assets/jar.png: what the camera sees."""
 
+import itertools
 from pathlib import Path
 
 import cv2
@@ -23,7 +24,7 @@ def profile(jar: Jar) -> list[tuple[tuple[float, float], tuple[float, float]]]:
     points += [(jar.lid_radius - BEVEL, rim), (jar.lid_radius, rim + BEVEL)]
     points += [(jar.lid_radius, high - BEVEL), (jar.lid_radius - BEVEL, high)]
     points += [(0.0, high)]
-    return list(zip(points[:-1], points[1:], strict=True))
+    return list(itertools.pairwise(points))
 
 
 def mesh(jar: Jar) -> trimesh.Trimesh:

@@ -1,0 +1,1 @@
+"""The six high-level actions, as plans over the controllers."""

@@ -59,9 +59,7 @@ def _give_up(robot: Robot, side: Side, result: ControlResult) -> Plan:
     return ending
 
 
-def close_on(
-    robot: Robot, side: Side, jar: Callable[[], mink.SE3]
-) -> plan.Step:
+def close_on(robot: Robot, side: Side, jar: Callable[[], mink.SE3]) -> plan.Step:
     """Bring an open hand round the jar's end on its side, and close it.
 
     Args:

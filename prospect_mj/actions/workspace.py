@@ -39,7 +39,7 @@ class Workspace:
         return self.jar_length / 2 - self.grip_inset
 
     def over_well(self, height: float) -> np.ndarray:
-        """Centre (3,) [m] of an upright jar whose lower end is `height` above the rim."""
+        """Centre (3,) [m] of an upright jar, its lower end `height` above the rim."""
         return self.well + [0, 0, height + self.jar_length / 2]
 
 

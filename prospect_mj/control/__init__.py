@@ -1,0 +1,1 @@
+"""Closed-loop controllers: sensors in, servo targets out; none steps physics."""

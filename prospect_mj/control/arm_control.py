@@ -1,4 +1,4 @@
-"""What every motion controller of one arm needs: the twin and its inverse kinematics."""
+"""What every motion controller of one arm needs: twin and inverse kinematics."""
 
 from dataclasses import dataclass
 

@@ -80,7 +80,8 @@ class HandServo:
         """How far the hand is from `target`, roll left out where it is free."""
         pose = self._arm.grasp_pose()
         place = pose.translation()
-        moved = 0.0 if self._place is None else float(np.linalg.norm(place - self._place))
+        before = place if self._place is None else self._place
+        moved = float(np.linalg.norm(place - before))
         self.speed, self._place = moved / CONTROL_PERIOD, place
         offset = target.translation() - place
         turn = (pose.rotation().inverse() @ target.rotation()).log()

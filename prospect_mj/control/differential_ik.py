@@ -153,9 +153,7 @@ class DifferentialIK:
         scale = np.abs(velocity[self._own]) / np.array(self.settings.velocity)
         return velocity / max(1.0, float(scale.max()))
 
-    def _attempt(
-        self, tasks: list[mink.Task], limits: list[mink.Limit]
-    ) -> np.ndarray:
+    def _attempt(self, tasks: list[mink.Task], limits: list[mink.Limit]) -> np.ndarray:
         return mink.solve_ik(
             self._twin.configuration,
             tasks,
@@ -195,11 +193,10 @@ def _collision_limit(
 def _geoms(twin: KinematicTwin, *bodies: str) -> list[str]:
     model = twin.model
     ids = [model.body(name).id for name in bodies]
-    return [model.geom(i).name for i in range(model.ngeom) if model.geom_bodyid[i] in ids]
+    geoms = range(model.ngeom)
+    return [model.geom(i).name for i in geoms if model.geom_bodyid[i] in ids]
 
 
 def _hand_geoms(twin: KinematicTwin, side: Side) -> list[str]:
     joints = [joint for pair in names.finger_joints(side) for joint in pair]
     return _geoms(twin, *joints)
-
-

@@ -1,4 +1,4 @@
-"""Fine motion: slow and exact Cartesian movements of a hand over the last decimetres."""
+"""Fine motion: slow and exact movements of a hand over the last decimetres."""
 
 from dataclasses import replace
 

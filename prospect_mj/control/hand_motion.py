@@ -24,7 +24,10 @@ class HandMotion(Controller):
     """
 
     def __init__(
-        self, side: Side, angles: tuple[float, ...] = posture.OPEN, time_budget: float = 1.0
+        self,
+        side: Side,
+        angles: tuple[float, ...] = posture.OPEN,
+        time_budget: float = 1.0,
     ) -> None:
         """Start from wherever the fingers are."""
         super().__init__(side, time_budget)

@@ -238,6 +238,7 @@ class InsertionController(Controller):
     ) -> Generator[Targets, ArmReading, None]:
         """Back out of the rim, straight up, with the object still in the hand."""
         reference = self._travelled()
+        step = self._settings.free_speed * CONTROL_PERIOD
         while self._travelled() > target + 0.01:
-            reference = max(target, reference - self._settings.free_speed * CONTROL_PERIOD)
+            reference = max(target, reference - step)
             own = yield Targets(joints=self._servo.step(own, self._below(reference)))

@@ -48,7 +48,7 @@ class KinematicTwin:
         self.configuration.update(np.clip(angles, low, high))
 
     def place_pedestal(self, position: np.ndarray, yaw: float) -> None:
-        """Put the cradle where the jar was seen to lie: position (3,) [m], yaw [rad]."""
+        """Put the cradle under where the jar was seen: position (3,) [m], yaw [rad]."""
         data = self.configuration.data
         data.mocap_pos[self._mocap] = position
         data.mocap_quat[self._mocap] = mink.SO3.from_z_radians(yaw).wxyz

@@ -1,7 +1,11 @@
-"""Gymnasium environments; importing this package registers them."""
+"""Gymnasium environments; importing `prospect_mj` registers them."""
 
-from gymnasium.envs.registration import register
+from gymnasium.envs.registration import register, registry
 
 ENV_ID = "prospect_mj/PickPlace-v0"
 
-register(id=ENV_ID, entry_point="prospect_mj.envs.pick_place:PickPlaceEnv")
+
+def register_envs() -> None:
+    """Register the environments, once."""
+    if ENV_ID not in registry:
+        register(id=ENV_ID, entry_point="prospect_mj.envs.pick_place:PickPlaceEnv")

@@ -1,0 +1,1 @@
+"""The torso: published facts, names, postures, and its sensors and servos."""

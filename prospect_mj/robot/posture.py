@@ -14,8 +14,9 @@ _PRESENTING = (0.26, 0.79, -0.19, 2.16, -2.33, -0.32, 0.46)
 _OVER_WELL = (-0.21, 1.50, 0.42, 2.29, -1.44, -1.23, 0.20)
 
 OPEN = (0.95, 0.95, 0.60)
-"""Proximal angle of each open finger [rad]: fingertips 0.09 m from the axis. The thumb, nearer to the grasp centre, opens
-wider, so that all three reach a cylinder at the same time and none pushes it away."""
+"""Proximal angle of each open finger [rad]: fingertips 0.09 m from the axis. The thumb,
+nearer to the grasp centre, opens wider, so that all three reach a cylinder at the same
+time and none pushes it away."""
 
 _CLOSED = 1.5
 """Beyond this the fingertips have passed the nominal cylinder's axis side [rad]."""

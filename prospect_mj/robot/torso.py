@@ -1,4 +1,4 @@
-"""The torso as its controllers see it: encoders, wrist and fingertip sensors, servos."""
+"""The torso as its controllers see it: encoders, wrist and touch sensors, servos."""
 
 from dataclasses import dataclass
 
@@ -59,9 +59,7 @@ class Arm:
         side: which arm.
     """
 
-    def __init__(
-        self, model: mujoco.MjModel, data: mujoco.MjData, side: Side
-    ) -> None:
+    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, side: Side) -> None:
         """Look up every index once."""
         self.side = side
         self._data = data
@@ -134,5 +132,3 @@ class Torso:
 def _sensor(model: mujoco.MjModel, name: str) -> np.ndarray:
     sensor = model.sensor(name)
     return np.arange(sensor.adr[0], sensor.adr[0] + sensor.dim[0])
-
-

@@ -4,8 +4,6 @@ MuJoCo and dm_control choose their backend from `MUJOCO_GL` when they are import
 (https://mujoco.readthedocs.io/en/stable/programming/#using-opengl) and fall back on
 GLFW, which needs a display. `configure` therefore comes before them; where it can't,
 it repairs the choice.
-
-`python -m prospect_mj.sim.gl` prints the renderer in one line; exit code 2 without one.
 """
 
 import functools
@@ -104,18 +102,3 @@ def _advice(error: Exception) -> str:
         f"install the Debian packages {' '.join(DEBIAN_PACKAGES)} and leave "
         f"{_BACKEND} unset or set it to egl"
     )
-
-
-def main() -> int:
-    """Print the renderer and return 0, or say what is missing and return 2."""
-    try:
-        name = renderer_name()
-    except RenderingUnavailable as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    print(f"OpenGL: {os.environ.get(_BACKEND) or 'native'}, {name}")
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

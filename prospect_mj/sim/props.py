@@ -10,7 +10,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Jar:
-    """A jar with a wide lid; its frame is at the centre, z along the axis to the lid."""
+    """A jar with a wide lid; frame at its centre, z along the axis to the lid."""
 
     length: float = 0.17
     """[m]"""
@@ -89,7 +89,7 @@ class Lamp:
     left hand casts no shadow on the jar."""
     aim: tuple[float, float, float] = (0.62, 0.0, 0.20)
     """Where the shade points [m]: at the place where objects are presented."""
-    cutoff: float = 60.0
+    cutoff: float = 45.0
     """Half angle of the cone that leaves the shade [degrees]."""
     diffuse: float = 1.0
     """Intensity, all three channels."""

@@ -11,11 +11,10 @@ import numpy as np
 from dm_control import mjcf
 
 from prospect_mj import paths
-from prospect_mj.sim.props import Jar, Lamp, Pedestal, Props, Table, Well
+from prospect_mj.sim import fixtures
+from prospect_mj.sim.props import Jar, Props
 
 JAR, WELL, PEDESTAL, LAMP, TABLE = "jar", "well", "pedestal", "lamp", "table"
-SLOPE = np.pi / 4
-"""Of the cradle's plates and of the well's chamfer [rad]."""
 
 
 @dataclass(frozen=True)
@@ -62,11 +61,7 @@ def compile_scene(settings: SceneSettings) -> mujoco.MjModel:
     props = settings.props
     root = mjcf.from_path(str(paths.torso_xml()))
     _options(root, settings)
-    root.attach(_table(props.table))
-    root.attach(_well(props.well))
-    root.attach(_lamp(props.lamp))
-    pedestal = root.attach(_pedestal(props.pedestal, props.jar))
-    pedestal.set_attributes(mocap=True, pos=props.pedestal.nominal)
+    _attach_fixtures(root, props)
     jar = root.attach(_jar(props.jar, settings.physics))
     jar.set_attributes(pos=props.pedestal.nominal, quat=_lying())
     jar.add("freejoint")
@@ -75,9 +70,22 @@ def compile_scene(settings: SceneSettings) -> mujoco.MjModel:
     return _compiled(root)
 
 
+def _attach_fixtures(root: mjcf.RootElement, props: Props) -> None:
+    table, well, lamp = _model(TABLE), _model(WELL), _model(LAMP)
+    fixtures.build_table(table, props.table)
+    fixtures.build_well(well, props.well)
+    fixtures.build_lamp(lamp, props.lamp)
+    for model in (table, well, lamp):
+        root.attach(model)
+    pedestal = _model(PEDESTAL)
+    fixtures.build_pedestal(pedestal, props.pedestal, props.jar)
+    frame = root.attach(pedestal)
+    frame.set_attributes(mocap=True, pos=props.pedestal.nominal)
+
+
 def _lying() -> np.ndarray:
     """Quaternion (4,) wxyz of a jar whose lid points left."""
-    return np.array([np.cos(SLOPE), -np.sin(SLOPE), 0.0, 0.0])
+    return np.array([np.cos(np.pi / 4), -np.sin(np.pi / 4), 0.0, 0.0])
 
 
 def _compiled(root: mjcf.RootElement) -> mujoco.MjModel:
@@ -110,165 +118,6 @@ def _options(root: mjcf.RootElement, settings: SceneSettings) -> None:
 def _model(name: str) -> mjcf.RootElement:
     root = mjcf.RootElement(model=name)
     root.compiler.angle = "radian"
-    return root
-
-
-def _table(table: Table) -> mjcf.RootElement:
-    root = _model(TABLE)
-    rgba = [*table.colour, 1]
-    root.worldbody.add(
-        "geom",
-        name="top",
-        type="box",
-        pos=[*table.centre, -0.02],
-        size=[*table.half_size, 0.02],
-        rgba=rgba,
-    )
-    root.worldbody.add(
-        "geom",
-        name="floor",
-        type="plane",
-        pos=[0, 0, -0.75],
-        size=[4, 4, 0.1],
-        rgba=rgba,
-    )
-    return root
-
-
-def _plate(
-    body: mjcf.Element, name: str, pos: np.ndarray, euler: np.ndarray, **geom: object
-) -> None:
-    quat = np.empty(4)
-    mujoco.mju_euler2Quat(quat, euler, "XYZ")
-    body.add("geom", name=name, type="box", pos=pos, quat=quat, **geom)
-
-
-def _pedestal(pedestal: Pedestal, jar: Jar) -> mjcf.RootElement:
-    """Frame at the centre of the jar that lies in it, plates along y."""
-    root = _model(PEDESTAL)
-    rgba = [0.10, 0.10, 0.11, 1]
-    half_width, half_thickness = pedestal.plate
-    valley = -jar.body_radius / np.sin(SLOPE)
-    for name, side in (("near", -1), ("far", 1)):
-        along = np.array([side * np.cos(SLOPE), 0, np.sin(SLOPE)])
-        outward = np.array([side * np.sin(SLOPE), 0, -np.cos(SLOPE)])
-        pos = [0, 0, valley] + half_width * along + half_thickness * outward
-        size = [half_width, pedestal.half_length, half_thickness]
-        _plate(
-            root.worldbody,
-            name,
-            pos,
-            np.array([0, -side * SLOPE, 0]),
-            size=size,
-            rgba=rgba,
-        )
-    root.worldbody.add(
-        "geom",
-        name="post",
-        type="cylinder",
-        fromto=[0, 0, valley - 2 * half_thickness, 0, 0, -pedestal.axis_height - 0.03],
-        size=[pedestal.post_radius],
-        rgba=rgba,
-    )
-    return root
-
-
-def _well(well: Well) -> mjcf.RootElement:
-    root = _model(WELL)
-    surface = dict(
-        friction=[well.friction, 0.005, 0.0001],
-        priority=2,
-        condim=4,
-        rgba=[0.16, 0.34, 0.27, 1],
-    )
-    outer = well.half_width + 2 * well.wall
-    body = root.worldbody.add("body", name="box", pos=[*well.position, 0])
-    floor = [outer, outer, well.floor_height / 2]
-    body.add(
-        "geom", name="floor", type="box", pos=[0, 0, floor[2]], size=floor, **surface
-    )
-    for i, name in enumerate(("far", "left", "near", "right")):
-        angle = i * np.pi / 2
-        outward = np.array([np.cos(angle), np.sin(angle), 0])
-        size = [well.wall, outer, well.rim_height / 2]
-        pos = (well.half_width + well.wall) * outward + [0, 0, size[2]]
-        _plate(body, f"wall_{name}", pos, np.array([0, 0, angle]), size=size, **surface)
-        rise = np.cos(SLOPE) * outward + [0, 0, np.sin(SLOPE)]
-        down = np.sin(SLOPE) * outward - [0, 0, np.cos(SLOPE)]
-        rim = well.half_width * outward + [0, 0, well.rim_height]
-        pos = rim + well.chamfer / 2 * rise + 0.002 * down
-        size = [well.chamfer / 2, outer, 0.002]
-        euler = np.array([0, -SLOPE, 0])
-        _chamfer(body, f"chamfer_{name}", pos, angle, euler, size, surface)
-    return root
-
-
-def _chamfer(
-    body: mjcf.Element,
-    name: str,
-    pos: np.ndarray,
-    angle: float,
-    euler: np.ndarray,
-    size: list[float],
-    surface: dict[str, object],
-) -> None:
-    turn, lean, quat = np.empty(4), np.empty(4), np.empty(4)
-    mujoco.mju_axisAngle2Quat(turn, np.array([0, 0, 1.0]), angle)
-    mujoco.mju_euler2Quat(lean, euler, "XYZ")
-    mujoco.mju_mulQuat(quat, turn, lean)
-    body.add("geom", name=name, type="box", pos=pos, quat=quat, size=size, **surface)
-
-
-def _lamp(lamp: Lamp) -> mjcf.RootElement:
-    """A shade open in front of the bulb, on a boom from a stand behind the table."""
-    root = _model(LAMP)
-    bulb = np.array(lamp.position)
-    forward = np.array(lamp.aim) - bulb
-    forward /= np.linalg.norm(forward)
-    root.worldbody.add(
-        "light",
-        name="bulb",
-        pos=bulb,
-        dir=forward,
-        cutoff=lamp.cutoff,
-        exponent=0,
-        attenuation=lamp.attenuation,
-        diffuse=[lamp.diffuse] * 3,
-        ambient=[0] * 3,
-        specular=[0] * 3,
-    )
-    rgba = [0.75, 0.62, 0.25, 1]
-    top = bulb - 0.06 * forward
-    foot = np.array([*lamp.stand, 0.0])
-    elbow = np.array([*lamp.stand, top[2] + 0.1])
-    root.worldbody.add(
-        "geom",
-        name="shade",
-        type="cylinder",
-        size=[0.045],
-        fromto=[*(bulb - 0.025 * forward), *top],
-        rgba=rgba,
-    )
-    for name, start, end, radius in (
-        ("stand", foot, elbow, 0.012),
-        ("boom", elbow, top, 0.01),
-    ):
-        root.worldbody.add(
-            "geom",
-            name=name,
-            type="capsule",
-            fromto=[*start, *end],
-            size=[radius],
-            rgba=rgba,
-        )
-    root.worldbody.add(
-        "geom",
-        name="foot",
-        type="cylinder",
-        size=[0.08, 0.01],
-        pos=foot + [0, 0, 0.01],
-        rgba=rgba,
-    )
     return root
 
 
@@ -329,11 +178,7 @@ def compile_twin(settings: SceneSettings, fingers: tuple[float, ...]) -> mujoco.
     for joint in root.find_all("joint"):
         if "finger" in joint.name:
             _weld(joint, fingers[int(joint.name.split("finger")[1][0]) - 1])
-    root.attach(_table(props.table))
-    root.attach(_well(props.well))
-    root.attach(_lamp(props.lamp))
-    pedestal = root.attach(_pedestal(props.pedestal, props.jar))
-    pedestal.set_attributes(mocap=True, pos=props.pedestal.nominal)
+    _attach_fixtures(root, props)
     return _compiled(root)
 
 

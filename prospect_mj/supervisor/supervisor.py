@@ -57,7 +57,7 @@ class Supervisor:
         self.mode: Mode = mode
 
     def may_run(self, action: Action, holder: Side | None) -> bool:
-        """Whether an action runs while `holder` holds the jar; the same in all modes."""
+        """Whether an action runs while `holder` has the jar; the same in all modes."""
         return PRECONDITIONS[action].holder == holder
 
     def choice_set(self, holder: Side | None) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Whether the jar is in the receptacle: the referee's view, which no controller sees."""
+"""Whether the jar is in the receptacle: a referee's view that no controller sees."""
 
 import numpy as np
 

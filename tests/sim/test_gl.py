@@ -86,7 +86,7 @@ def test_renders_whatever_was_imported_first(before):
 
 @pytest.mark.gl
 def test_check_prints_one_line():
-    done = run("-m", "prospect_mj.sim.gl")
+    done = run("-m", "prospect_mj.cli.check_gl")
     assert done.returncode == 0, done.stderr
     assert done.stdout.startswith("OpenGL: ")
     assert done.stdout.count("\n") == 1
@@ -100,7 +100,7 @@ def test_check_prints_one_line():
     ids=["no driver", "no such device", "no such backend"],
 )
 def test_check_names_the_packages(broken):
-    done = run("-m", "prospect_mj.sim.gl", **broken)
+    done = run("-m", "prospect_mj.cli.check_gl", **broken)
     assert done.returncode == 2
     assert done.stdout == ""
     assert done.stderr.startswith("error: no OpenGL context with MUJOCO_GL=")
