@@ -1,5 +1,6 @@
 """Insert Left, Insert Right: lower the jar into the receptacle, free end first."""
 
+import mink
 import numpy as np
 
 from prospect_mj.actions import plan, poses
@@ -8,7 +9,8 @@ from prospect_mj.actions.plan import Plan, Robot, Step
 from prospect_mj.control.fine_motion import PASSING, FineMotion
 from prospect_mj.control.gross_motion import GrossMotion
 from prospect_mj.control.hand_motion import HandMotion
-from prospect_mj.control.insertion import InsertionController, InsertionResult
+from prospect_mj.control.insertion import InsertionController
+from prospect_mj.control.insertion_settings import InsertionResult
 from prospect_mj.control.posture_motion import PostureMotion
 from prospect_mj.control.result import ControlResult, Status
 from prospect_mj.robot import names, posture
@@ -17,6 +19,9 @@ from prospect_mj.robot.names import Side
 _UP = np.array([0.0, 0.0, 1.0])
 _VIA_OFFSET = np.array([0.03, 0.08, 0.0])
 """To the holding hand's side of the receptacle [m]: room to turn the jar upright."""
+
+_MOST_CREEP = 0.012
+"""A larger discrepancy is not creep but something else that was hit [m]."""
 
 
 def insert(robot: Robot, side: Side) -> Plan:
@@ -38,7 +43,22 @@ def insert(robot: Robot, side: Side) -> Plan:
     if result.converged:
         yield from _release(robot, side)
         return ActionResult.SUCCESS
+    if isinstance(result, InsertionResult) and result.jammed:
+        _learn_height(robot, side, bottom - result.depth)
     return (yield from _abandon(robot, side, result))
+
+
+def _learn_height(robot: Robot, side: Side, bottom: float) -> None:
+    """Take the rim as a ruler: a jammed jar's lower end is where the lid wedges.
+
+    It is the only measure of how far the jar has crept along its axis in the hand.
+    """
+    work = robot.workspace
+    lower = work.well[2] + work.wedge - bottom
+    if abs(lower) < _MOST_CREEP:
+        up = names.sign(side) * lower
+        shift = mink.SE3.from_translation(np.array([0.0, 0.0, up]))
+        robot.belief.held[side] = robot.belief.held[side] @ shift
 
 
 def _align(robot: Robot, side: Side) -> Step:

@@ -20,6 +20,8 @@ class Workspace:
     """Centre of the rim (3,) [m]."""
     well_depth: float
     """[m]"""
+    wedge: float
+    """Where the lid stops on the rim's chamfer, above the rim [m]."""
     presentation: np.ndarray
     """Where a held jar is kept between actions, and swapped (3,) [m]."""
     grip_inset: float = 0.027
@@ -54,5 +56,7 @@ def workspace(props: Props) -> Workspace:
         jar_weight=props.jar.mass * 9.81,
         well=np.array([*props.well.position, props.well.rim_height]),
         well_depth=props.well.depth,
+        # The chamfer slopes at 45 degrees, so it is as high as the lid is wider.
+        wedge=props.jar.lid_radius - props.well.half_width,
         presentation=np.array(PRESENTATION),
     )

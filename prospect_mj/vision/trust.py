@@ -18,8 +18,10 @@ class TrustSettings:
     """Of the two outlines; beyond it something hides the object from one eye."""
     length: tuple[float, float] = (0.163, 0.180)
     """Of an object that the hands and the well are made for [m]."""
-    radius: tuple[float, float] = (0.025, 0.055)
-    """The same at both ends [m]."""
+    thin_end: tuple[float, float] = (0.033, 0.040)
+    """Radius of the end that goes into the well [m]."""
+    thick_end: tuple[float, float] = (0.0415, 0.050)
+    """Radius of the end that does not [m]; which end that is, the eyes need not know."""
     min_correlation: float = 0.99
     """Of both eyes' grey levels on the object's surface."""
     max_disagreement: float = 0.03
@@ -40,10 +42,10 @@ def doubt_outlines(left: Silhouette, right: Silhouette, trust: TrustSettings) ->
 
 def doubt_estimate(estimate: AxisEstimate, trust: TrustSettings) -> str:
     """Say why a pose can't be trusted, or return an empty string."""
-    if not trust.length[0] <= estimate.length <= trust.length[1]:
+    if not _within(estimate.length, trust.length):
         return f"a length of {1e3 * estimate.length:.0f} mm is not an object's"
     thin, thick = np.sort(estimate.radii)
-    if not trust.radius[0] <= thin <= thick <= trust.radius[1]:
+    if not (_within(thin, trust.thin_end) and _within(thick, trust.thick_end)):
         return f"radii of {1e3 * thin:.0f} and {1e3 * thick:.0f} mm are not an object's"
     # Written so that a correlation which is not a number is doubtful, too.
     if not estimate.correlation >= trust.min_correlation:
@@ -54,3 +56,7 @@ def doubt_estimate(estimate: AxisEstimate, trust: TrustSettings) -> str:
         degrees = np.degrees(estimate.disagreement)
         return f"the eyes disagree by {degrees:.1f} degrees about the axis"
     return ""
+
+
+def _within(value: float, limits: tuple[float, float]) -> bool:
+    return limits[0] <= value <= limits[1]
