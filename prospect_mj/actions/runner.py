@@ -43,6 +43,7 @@ class ActionRunner:
 
     Attributes:
         twin: the kinematic twin that all controllers share.
+        arms: the kinematics of both arms.
         belief: what the robot knows of the jar in this trial.
     """
 
@@ -52,7 +53,7 @@ class ActionRunner:
         self._torso = Torso(simulation.model, simulation.data)
         self._substeps = simulation.substeps(CONTROL_PERIOD)
         self.twin = KinematicTwin(simulation.settings)
-        self._arms = {
+        self.arms = {
             side: ArmControl(side, self.twin, DifferentialIK(self.twin, side))
             for side in SIDES
         }
@@ -71,7 +72,7 @@ class ActionRunner:
     def execute(self, action: Action) -> ActionOutcome:
         """Run an action to its end; whether it may run is the supervisor's affair."""
         write, side = _PLANS[action]
-        plan = write(Robot(self._arms, self.belief, self._workspace), side)
+        plan = write(Robot(self.arms, self.belief, self._workspace), side)
         start = self._simulation.data.time
         runs: list[ControllerRun] = []
         self.twin.update(self._torso.read())
@@ -105,7 +106,7 @@ class ActionRunner:
         reading = self._torso.read()
         self.twin.update(reading)
         for side, held in self.belief.held.items():
-            touch, hand = reading[side].touch, self._arms[side].grasp_pose()
+            touch, hand = reading[side].touch, self.arms[side].grasp_pose()
             if touch.found.all():
                 jar = felt_jar(touch, hand @ held)
                 self.belief.held[side] = hand.inverse() @ jar

@@ -171,10 +171,10 @@ def _collision_limit(
     """Own arm and hand against trunk, head, fixtures and the other arm."""
     model = twin.model
     arm = _geoms(twin, *names.arm_links(side)[2:], names.palm(side))
-    hand = _hand_geoms(twin, side)
+    hand = _fingers(side)
     other = names.other(side)
     rival = _geoms(twin, *names.arm_links(other)[2:], names.palm(other))
-    rival += _hand_geoms(twin, other)
+    rival += _fingers(other)
     fixtures = [
         model.geom(i).name
         for i in range(model.ngeom)
@@ -197,6 +197,6 @@ def _geoms(twin: KinematicTwin, *bodies: str) -> list[str]:
     return [model.geom(i).name for i in geoms if model.geom_bodyid[i] in ids]
 
 
-def _hand_geoms(twin: KinematicTwin, side: Side) -> list[str]:
-    joints = [joint for pair in names.finger_joints(side) for joint in pair]
-    return _geoms(twin, *joints)
+def _fingers(side: Side) -> list[str]:
+    """The distal links: nothing reaches the proximal ones of an open hand first."""
+    return [distal for _, distal in names.finger_joints(side)]

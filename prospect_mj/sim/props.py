@@ -95,7 +95,7 @@ class Lamp:
     """Intensity, all three channels."""
     attenuation: tuple[float, float, float] = (0.0, 0.0, 0.8)
     """Constant, linear [1/m] and quadratic [1/m^2] coefficient: inverse square."""
-    stand: tuple[float, float] = (0.80, 0.66)
+    stand: tuple[float, float] = (1.00, 0.66)
     """Foot of the stand on the table [m]."""
 
 

@@ -57,6 +57,8 @@ class PickPlaceTask:
         simulation: the live physics.
         runner: runs the actions; holds the robot's belief.
         supervisor: decides which actions may run.
+        camera: the stereo pair.
+        vision: makes a look of an image pair.
         presentation: of the present trial.
         look: what vision made of it.
     """
@@ -72,9 +74,9 @@ class PickPlaceTask:
         self.simulation = Simulation(self.settings.scene)
         self.runner = ActionRunner(self.simulation)
         self.supervisor = Supervisor(self.settings.supervisor)
-        self._camera = StereoCamera(self.simulation.model, self.settings.eyes)
-        self._vision = VisionController(
-            self._camera.left, self._camera.right, self.settings.vision
+        self.camera = StereoCamera(self.simulation.model, self.settings.eyes)
+        self.vision = VisionController(
+            self.camera.left, self.camera.right, self.settings.vision
         )
         self.presentation: Presentation | None = None
         self.look: Look | None = None
@@ -90,7 +92,7 @@ class PickPlaceTask:
         spread = self.settings.presentation
         presentation = draw_presentation(spread, nominal, orientation, rng)
         self.simulation.reset(presentation.placement, presentation.lamp_gain)
-        look = self._vision.look(self._camera.capture(self.simulation.data, rng))
+        look = self.vision.look(self.camera.capture(self.simulation.data, rng))
         self.runner.begin(Belief(seen=self._seen(look)))
         self.presentation, self.look = presentation, look
         return look
@@ -123,7 +125,7 @@ class PickPlaceTask:
 
     def close(self) -> None:
         """Close the eyes."""
-        self._camera.close()
+        self.camera.close()
 
     def __enter__(self) -> Self:
         """Return the open task."""

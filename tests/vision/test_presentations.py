@@ -82,3 +82,21 @@ def test_an_unsteady_lamp_changes_neither_pose_nor_class(stage, gallery):
         assert np.linalg.norm(seen.look.position - seen.position) < 0.003
         v = features.scaled_histogram(seen.look.histogram)
         assert (np.linalg.norm(v - means[0]) < np.linalg.norm(v - means[1])) == lid_left
+
+
+@pytest.mark.parametrize("colour", [(0.6, 0.5, 0.4), (0.2, 0.4, 0.25)])
+def test_a_coloured_table_costs_accuracy_but_no_look(stage_on_table, colour):
+    stage, rng = stage_on_table(colour), np.random.default_rng(5)
+    seen = [stage.present(rng, lid_left=i % 2 == 0) for i in range(20)]
+    errors = position_errors(seen)
+    assert np.isfinite(errors).all()
+    assert np.median(errors) < 0.004
+
+
+def test_on_a_table_like_the_jars_own_shade_the_look_is_refused(stage_on_table):
+    """Half the outline is invisible there; a wrong pose must not pass as found."""
+    stage, rng = stage_on_table((0.5, 0.5, 0.5)), np.random.default_rng(6)
+    for i in range(20):
+        seen = stage.present(rng, lid_left=i % 2 == 0)
+        assert seen.look.status == "unsure"
+        assert seen.look.reason
