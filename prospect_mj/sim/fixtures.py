@@ -77,7 +77,7 @@ def build_pedestal(root: Element, pedestal: Pedestal, jar: Jar) -> None:
 
 
 def build_well(root: Element, well: Well) -> None:
-    """An open square box with a chamfer round its rim."""
+    """An open square box with a chamfer round its rim; its frame is on the table."""
     surface = {
         "friction": [well.friction, 0.005, 0.0001],
         "priority": 2,
@@ -85,7 +85,7 @@ def build_well(root: Element, well: Well) -> None:
         "rgba": [0.16, 0.34, 0.27, 1],
     }
     outer = well.half_width + 2 * well.wall
-    body = root.worldbody.add("body", name="box", pos=[*well.position, 0])
+    body = root.worldbody
     floor = [outer, outer, well.floor_height / 2]
     _plate(body, "floor", [0, 0, floor[2]], _turned(0, 0), size=floor, **surface)
     for i, name in enumerate(("far", "left", "near", "right")):

@@ -75,8 +75,9 @@ def _attach_fixtures(root: mjcf.RootElement, props: Props) -> None:
     fixtures.build_table(table, props.table)
     fixtures.build_well(well, props.well)
     fixtures.build_lamp(lamp, props.lamp)
-    for model in (table, well, lamp):
+    for model in (table, lamp):
         root.attach(model)
+    root.attach(well).pos = [*props.well.position, 0.0]
     pedestal = _model(PEDESTAL)
     fixtures.build_pedestal(pedestal, props.pedestal, props.jar)
     frame = root.attach(pedestal)
@@ -113,6 +114,17 @@ def _options(root: mjcf.RootElement, settings: SceneSettings) -> None:
     )
     # Far from the near plane nothing is lost; the default clips what eyes look past.
     root.visual.map.set_attributes(znear=0.05, zfar=10)
+    # For people: the eyes look down and never see it.
+    root.asset.add(
+        "texture",
+        name="sky",
+        type="skybox",
+        builtin="gradient",
+        rgb1=[0.75, 0.80, 0.86],
+        rgb2=[0.35, 0.40, 0.46],
+        width=64,
+        height=384,
+    )
 
 
 def _model(name: str) -> mjcf.RootElement:
