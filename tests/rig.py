@@ -135,6 +135,29 @@ def shared_rig() -> Rig:
     return Rig()
 
 
+@functools.cache
+def holding(side: str) -> Snapshot:
+    """After a grasp by the hand on the lid's side, from the nominal presentation."""
+    rig = shared_rig()
+    rig.present(lid=side)
+    (outcome,) = rig.act(GRASP[side])
+    assert outcome.result == "success"
+    # What is left of the last motion would be taken for slip.
+    rig.wait(0.5)
+    return rig.save()
+
+
+@functools.cache
+def holding_wrong(side: str) -> Snapshot:
+    """The same by the other end: the lid goes down first into the receptacle."""
+    rig = shared_rig()
+    rig.present(lid=OTHER[side])
+    (outcome,) = rig.act(GRASP[side])
+    assert outcome.result == "success"
+    rig.wait(0.5)
+    return rig.save()
+
+
 def angle_between(first: np.ndarray, second: np.ndarray) -> float:
     """[rad]"""
     sine = np.linalg.norm(np.cross(first, second))

@@ -17,6 +17,9 @@ class PostureSettings:
 
     tolerance: float = 0.02
     """Largest joint error [rad]."""
+    rest_speed: float = 0.15
+    """Largest joint speed [rad/s]; a command that stopped a moving arm at once would
+    take most of a joint's torque."""
     windup: float = 0.15
     """Most that a servo target may lead the measured angle [rad]."""
     carrying_speed: float = 1.2
@@ -54,7 +57,8 @@ class PostureMotion(Controller):
     def _law(self, reading: Reading) -> Targets:
         own = reading[self.side]
         error = np.abs(own.joints - self._posture).max()
-        if error < self._settings.tolerance:
+        speed = np.abs(own.velocities).max()
+        if error < self._settings.tolerance and speed < self._settings.rest_speed:
             self._finish(Status.CONVERGED)
             # The exact posture, so that every action starts from the same commands.
             return Targets(joints=self._posture)

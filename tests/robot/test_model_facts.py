@@ -96,8 +96,8 @@ def test_arm_has_the_published_efforts(model, side):
     """Both at the joint, so that the weight counts, and at the motor."""
     for i, effort in enumerate(ARM_EFFORTS, start=1):
         joint = model.joint(f"{side}_joint{i}")
-        assert joint.actfrclimited[0]
-        assert joint.actfrcrange == pytest.approx((-effort, effort))
+        assert model.jnt_actfrclimited[joint.id]
+        assert model.jnt_actfrcrange[joint.id] == pytest.approx((-effort, effort))
         motor = model.actuator(f"{side}_joint{i}")
         assert motor.forcelimited[0]
         assert motor.forcerange == pytest.approx((-effort, effort))
