@@ -1,4 +1,4 @@
-"""Draw the README's pictures of the scene: a whole trial in four frames."""
+"""Draw the README's picture: a trial with a late correction in four frames."""
 
 import sys
 from pathlib import Path
@@ -8,48 +8,36 @@ import mujoco
 import numpy as np
 
 from prospect_mj.actions.action import Action
+from prospect_mj.sim import overview
 from prospect_mj.task.pick_place import PickPlaceTask
 
 SIZE = (720, 1280)
-LOOK_AT, DISTANCE, AZIMUTH, ELEVATION = (0.36, 0.10, 0.40), 1.95, 150.0, -22.0
 
 
 def photograph(task: PickPlaceTask) -> np.ndarray:
-    """A picture (720, 1280, 3) uint8 RGB by daylight, from in front of the robot."""
-    model, camera = task.simulation.model, mujoco.MjvCamera()
-    camera.lookat[:] = LOOK_AT
-    camera.distance, camera.azimuth, camera.elevation = DISTANCE, AZIMUTH, ELEVATION
-    with mujoco.Renderer(model, *SIZE) as renderer:
-        renderer.update_scene(task.simulation.data, camera)
+    """A picture (720, 1280, 3) uint8 RGB of the scene as it is."""
+    with mujoco.Renderer(task.simulation.model, *SIZE) as renderer:
+        renderer.update_scene(task.simulation.data, overview.camera())
         return renderer.render()
 
 
-def by_daylight(model: mujoco.MjModel) -> None:
-    """Light the scene for people; the eyes took their picture before."""
-    model.vis.quality.offsamples, model.vis.quality.shadowsize = 8, 8192
-    model.vis.headlight.ambient[:], model.vis.headlight.diffuse[:] = 0.55, 0.40
-    model.light_diffuse[:] *= 0.5
-    model.vis.map.shadowscale = 0.4
-    model.geom("table/top").rgba[:3] = 0.52, 0.40, 0.28
-    model.geom("table/floor").rgba[:3] = 0.62, 0.64, 0.66
-
-
 def main(folder: Path) -> None:
-    """Follow a late correction and photograph what each action leaves behind."""
-    task = PickPlaceTask()
-    model = task.simulation.model
-    model.vis.global_.offheight, model.vis.global_.offwidth = SIZE
-    task.reset("left", np.random.default_rng(3))
-    by_daylight(model)
-    frames = [photograph(task)]
-    for action in (Action.GRASP_RIGHT, Action.SWAP_RIGHT_TO_LEFT, Action.INSERT_LEFT):
-        task.execute(action)
-        frames.append(photograph(task))
+    """Photograph the presentation and what each of three actions leaves behind."""
+    with PickPlaceTask() as task:
+        task.reset("left", np.random.default_rng(3))
+        overview.light_for_people(task.simulation.model, SIZE)
+        frames = [photograph(task)]
+        for action in (
+            Action.GRASP_RIGHT,
+            Action.SWAP_RIGHT_TO_LEFT,
+            Action.INSERT_LEFT,
+        ):
+            task.execute(action)
+            frames.append(photograph(task))
     rows = [np.hstack(frames[:2]), np.hstack(frames[2:])]
     sheet = cv2.resize(np.vstack(rows), None, fx=0.5, fy=0.5, interpolation=3)
     folder.mkdir(parents=True, exist_ok=True)
     cv2.imwrite(str(folder / "scene.png"), cv2.cvtColor(sheet, cv2.COLOR_RGB2BGR))
-    task.close()
 
 
 if __name__ == "__main__":
