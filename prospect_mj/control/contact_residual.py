@@ -65,7 +65,8 @@ def required_friction(positions: np.ndarray, normals: np.ndarray) -> float:
     cosines = np.einsum("ki,ki->k", lines, normals)
     if (cosines <= 0).any() or not _balance(lines):
         return float("inf")
-    return float(np.sqrt(1.0 / cosines**2 - 1.0).max())
+    sines = np.linalg.norm(np.cross(lines, normals), axis=1)
+    return float((sines / cosines).max())
 
 
 def _balance(lines: np.ndarray) -> bool:

@@ -1,10 +1,11 @@
 """The life of a closed-loop controller: update until it has a result."""
 
 from abc import ABC, abstractmethod
+from collections.abc import Generator
 
 from prospect_mj.control.result import ControlResult, Status, Targets
 from prospect_mj.robot.names import Side
-from prospect_mj.robot.torso import Reading
+from prospect_mj.robot.torso import ArmReading, Reading
 
 CONTROL_PERIOD = 0.02
 """Between two updates of every controller [s]."""
@@ -49,3 +50,27 @@ class Controller(ABC):
     @abstractmethod
     def _law(self, reading: Reading) -> Targets:
         """The control law; calls `_finish` when its predicate holds or it must stop."""
+
+
+Procedure = Generator[Targets, ArmReading, None]
+"""A control law in several stages: yields targets, receives what the arm senses."""
+
+
+class ProceduralController(Controller):
+    """A controller whose law is a procedure that calls `_finish` before it ends."""
+
+    def __init__(self, side: Side, time_budget: float) -> None:
+        """Start at the beginning of the procedure."""
+        super().__init__(side, time_budget)
+        self._running = self._procedure()
+        next(self._running)
+
+    @abstractmethod
+    def _procedure(self) -> Procedure:
+        """The stages; the first yield only waits for the first reading."""
+
+    def _law(self, reading: Reading) -> Targets:
+        try:
+            return self._running.send(reading[self.side])
+        except StopIteration:
+            return Targets()

@@ -63,7 +63,9 @@ class _ActiveCollisionLimit(mink.CollisionAvoidanceLimit):
         near = np.isfinite(full.h)
         if not near.any():
             return Constraint()
-        return Constraint(G=full.G[near], h=full.h[near])
+        # mink bounds a speed here, but its QP is over displacements: without the
+        # period a hand may come gain / dt = 15 times as near in one step as is left.
+        return Constraint(G=full.G[near], h=full.h[near] * dt)
 
 
 class DifferentialIK:

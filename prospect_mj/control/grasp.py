@@ -10,21 +10,26 @@ squeeze and stay where they are: the hand is non-backdrivable.
 """
 
 from collections.abc import Generator
+from dataclasses import dataclass
 
 import mink
 import numpy as np
 
 from prospect_mj.control.arm_control import ArmControl
-from prospect_mj.control.cartesian_motion import HandServo, MotionSettings
 from prospect_mj.control.contact_residual import (
     ContactResidual,
     contact_residual,
     required_friction,
 )
-from prospect_mj.control.controller import CONTROL_PERIOD, Controller
+from prospect_mj.control.controller import (
+    CONTROL_PERIOD,
+    ProceduralController,
+    Procedure,
+)
 from prospect_mj.control.grasp_settings import GraspResult, GraspSettings
+from prospect_mj.control.hand_servo import HandServo, MotionSettings
 from prospect_mj.control.result import Status, Targets
-from prospect_mj.robot.torso import ArmReading, Reading
+from prospect_mj.robot.torso import ArmReading, Touch
 
 _CORRECTION = MotionSettings(
     speed=0.10,
@@ -37,7 +42,18 @@ _CORRECTION = MotionSettings(
 )
 
 
-class GraspController(Controller):
+@dataclass(frozen=True)
+class Probe:
+    """What the fingertips told while all three touched."""
+
+    residual: ContactResidual
+    rate: float
+    """d eps/dt [1/s]."""
+    friction: float
+    """Coefficient that the contacts need."""
+
+
+class GraspController(ProceduralController):
     """Close the hand of one arm on whatever is between its fingers.
 
     Args:
@@ -58,95 +74,80 @@ class GraspController(Controller):
         self._arm = arm
         self._servo = HandServo(arm, posture, _CORRECTION)
         self._probes = 0
-        self._residual: ContactResidual | None = None
-        self._rate: float | None = None
-        self._friction: float | None = None
+        self._last: Probe | None = None
         self._trajectory: list[tuple[float, float]] = []
-        self._procedure = self._grasp()
-        next(self._procedure)
-
-    def _law(self, reading: Reading) -> Targets:
-        try:
-            return self._procedure.send(reading[self.side])
-        except StopIteration:
-            return Targets()
 
     def _finish(self, status: Status, reason: str = "") -> None:
+        probe = self._last
         self.result = GraspResult(
             status,
             reason,
             self.seconds,
-            residual=None if self._residual is None else self._residual.value,
-            residual_rate=self._rate,
-            required_friction=self._friction,
+            residual=None if probe is None else probe.residual.value,
+            residual_rate=None if probe is None else probe.rate,
+            required_friction=None if probe is None else probe.friction,
             probes=self._probes,
             trajectory=tuple(self._trajectory),
         )
 
-    def _grasp(self) -> Generator[Targets, ArmReading, None]:
+    def _procedure(self) -> Procedure:
         own = yield Targets()
         while True:
-            own = yield from self._touch(own)
-            if self._residual is None:
+            own, probe = yield from self._touch(own)
+            if probe is None:
                 self._finish(Status.LOST, "the fingers closed without touching")
                 return
-            if self._balanced():
+            if self._balanced(probe):
                 break
             if self._probes >= self._settings.max_probes:
-                reason = f"residual {self._residual.value:.3f} does not fall"
+                reason = f"residual {probe.residual.value:.3f} does not fall"
                 self._finish(Status.STALLED, reason)
                 return
-            own = yield from self._correct(own)
+            own = yield from self._correct(own, probe.residual)
         own = yield from self._squeeze(own)
         self._judge(own)
 
-    def _balanced(self) -> bool:
-        settings = self._settings
-        assert self._residual is not None
-        assert self._rate is not None
-        at_rest = abs(self._rate) < settings.rate_threshold
-        return self._residual.value < settings.residual_threshold and at_rest
+    def _balanced(self, probe: Probe) -> bool:
+        small = probe.residual.value < self._settings.residual_threshold
+        return small and abs(probe.rate) < self._settings.rate_threshold
 
-    def _touch(self, own: ArmReading) -> Generator[Targets, ArmReading, ArmReading]:
+    def _touch(
+        self, own: ArmReading
+    ) -> Generator[Targets, ArmReading, tuple[ArmReading, Probe | None]]:
         """Close each finger until it touches; measure the residual of the contacts."""
         settings = self._settings
         self._probes += 1
-        self._residual = None
-        settled, motors = 0.0, own.finger_command
+        probe, settled, motors = None, 0.0, own.finger_command
         latched = np.zeros(3, dtype=bool)
-        step = settings.closing_speed * CONTROL_PERIOD
         while settled < settings.settle_time:
             pressing = own.touch.found & (own.touch.force > settings.touch_force)
             # Measured, not commanded: the servo lags, and would push on by its lag.
-            motors = np.where(
-                pressing & ~latched, own.fingers + settings.touch_lead, motors
-            )
+            held = own.fingers + settings.touch_lead
+            motors = np.where(pressing & ~latched, held, motors)
             latched = pressing | (latched & own.touch.found)
-            touching = latched
-            motors = np.where(latched, motors, motors + step)
+            motors = np.where(latched, motors, motors + settings.closing_step)
             if (motors > settings.closed).any():
-                self._residual = None
-                return own
-            settled = settled + CONTROL_PERIOD if touching.all() else 0.0
-            if touching.all():
-                self._measure(own)
+                return own, None
+            settled = settled + CONTROL_PERIOD if latched.all() else 0.0
+            if latched.all():
+                probe = self._measure(own.touch, probe)
             own = yield Targets(fingers=motors)
-        return own
+        return own, probe
 
-    def _measure(self, own: ArmReading) -> None:
-        before = self._residual
-        touch = own.touch
-        self._residual = contact_residual(touch.position, touch.normal)
-        self._friction = required_friction(touch.position, touch.normal)
-        change = 0.0 if before is None else self._residual.value - before.value
-        self._rate = change / CONTROL_PERIOD
-        self._trajectory.append((self.seconds, self._residual.value))
+    def _measure(self, touch: Touch, before: Probe | None) -> Probe:
+        residual = contact_residual(touch.position, touch.normal)
+        change = 0.0 if before is None else residual.value - before.residual.value
+        friction = required_friction(touch.position, touch.normal)
+        self._trajectory.append((self.seconds, residual.value))
+        self._last = Probe(residual, change / CONTROL_PERIOD, friction)
+        return self._last
 
-    def _correct(self, own: ArmReading) -> Generator[Targets, ArmReading, ArmReading]:
+    def _correct(
+        self, own: ArmReading, residual: ContactResidual
+    ) -> Generator[Targets, ArmReading, ArmReading]:
         """Lift the fingers off, then take back the offset and tilt of the hand."""
         settings = self._settings
-        assert self._residual is not None
-        target = self._corrected(self._residual)
+        target = self._corrected(residual)
         apart = own.fingers - settings.lift_off
         for _ in range(round(settings.lift_off_time / CONTROL_PERIOD)):
             own = yield Targets(fingers=apart)

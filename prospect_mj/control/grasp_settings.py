@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from prospect_mj.control.controller import CONTROL_PERIOD
 from prospect_mj.control.result import ControlResult
 
 
@@ -40,6 +41,11 @@ class GraspSettings:
     """Every fingertip must press at least this hard in the end [N]."""
     time_budget: float = 8.0
     """[s]"""
+
+    @property
+    def closing_step(self) -> float:
+        """Of a finger motor in one control period [rad]."""
+        return self.closing_speed * CONTROL_PERIOD
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,8 @@ import mink
 import numpy as np
 
 from prospect_mj.control.arm_control import ArmControl
-from prospect_mj.control.cartesian_motion import CartesianMotion, MotionSettings
+from prospect_mj.control.cartesian_motion import CartesianMotion
+from prospect_mj.control.hand_servo import MotionSettings
 
 GROSS = MotionSettings(
     speed=0.5,

@@ -12,29 +12,25 @@ import mink
 import numpy as np
 
 from prospect_mj.control.arm_control import ArmControl
-from prospect_mj.control.cartesian_motion import (
-    MIN_CONTACTS,
-    RELEASE_TIME,
-    HandServo,
-    MotionSettings,
+from prospect_mj.control.controller import (
+    CONTROL_PERIOD,
+    ProceduralController,
+    Procedure,
 )
-from prospect_mj.control.controller import CONTROL_PERIOD, Controller
-from prospect_mj.control.insertion_settings import InsertionResult, InsertionSettings
+from prospect_mj.control.grip_watch import GripWatch
+from prospect_mj.control.hand_servo import HandServo
+from prospect_mj.control.insertion_settings import (
+    LOWERING,
+    InsertionResult,
+    InsertionSettings,
+)
 from prospect_mj.control.result import Status, Targets
 from prospect_mj.robot.torso import ArmReading, Reading
 
-_MOTION = MotionSettings(
-    speed=0.15,
-    turn_speed=0.5,
-    position_tolerance=0.0,
-    angle_tolerance=0.0,
-    free_roll=False,
-    windup=0.03,
-    time_budget=8.0,
-)
+Stage = Generator[Targets, ArmReading, ArmReading]
 
 
-class InsertionController(Controller):
+class InsertionController(ProceduralController):
     """Lower what the hand holds by a known distance, or find that it does not fit.
 
     Args:
@@ -58,97 +54,85 @@ class InsertionController(Controller):
         """Start aligned above the receptacle."""
         self._settings = InsertionSettings() if settings is None else settings
         super().__init__(arm.side, self._settings.time_budget)
-        self._arm, self._free, self._depth = arm, free, depth
-        self._servo = HandServo(arm, posture, _MOTION)
-        self._start = start
-        self._shift = np.zeros(3)
-        self._peak, self._reached = 0.0, 0.0
-        self._tare = np.zeros(3)
-        self._empty = 0.0
-        self._procedure = self._insert()
-        next(self._procedure)
+        self._arm, self._start = arm, start
+        self._free, self._depth = free, depth
+        self._servo = HandServo(arm, posture, LOWERING)
+        self._grip = GripWatch()
+        self._tare, self._shift = np.zeros(3), np.zeros(3)
+        self._peak, self._deepest = 0.0, 0.0
 
     def _law(self, reading: Reading) -> Targets:
-        own = reading[self.side]
-        held = own.touch.found.sum() >= MIN_CONTACTS
-        self._empty = 0.0 if held else self._empty + CONTROL_PERIOD
-        if self._empty > RELEASE_TIME:
-            self._finish(Status.LOST, "fewer than two fingertips feel the object")
+        if self._grip.lost(reading[self.side].touch):
+            self._finish(Status.LOST, GripWatch.REASON)
             return Targets()
-        try:
-            return self._procedure.send(own)
-        except StopIteration:
-            return Targets()
+        return super()._law(reading)
 
-    def _end(self, status: Status, reason: str = "", jammed: bool = False) -> None:
+    def _finish(self, status: Status, reason: str = "", jammed: bool = False) -> None:
         self.result = InsertionResult(
-            status, reason, self.seconds, jammed, self._reached, self._peak
+            status, reason, self.seconds, jammed, self._deepest, self._peak
         )
 
-    def _finish(self, status: Status, reason: str = "") -> None:
-        self._end(status, reason)
+    def _procedure(self) -> Procedure:
+        own = yield Targets()
+        own = yield from self._weigh(own)
+        own = yield from self._descend(own)
+        inside = self._deepest - self._free
+        if inside > self._settings.entered * (self._depth - self._free):
+            self._finish(Status.CONVERGED)
+            return
+        supported = self._supported(own)
+        yield from self._back_out(own)
+        millimetres = (self._depth - self._deepest) * 1e3
+        manner = "supported" if supported else "blocked"
+        reason = f"{manner} {millimetres:.0f} mm above the floor"
+        self._finish(Status.STALLED, reason, jammed=supported)
 
     def _travelled(self) -> float:
+        """How far the hand is below its start [m]."""
         height = self._arm.grasp_pose().translation()[2]
         return float(self._start.translation()[2] - height)
+
+    def _wrist_force(self, own: ArmReading) -> np.ndarray:
+        return self._arm.twin.wrist_rotation(self.side) @ own.wrist_force
 
     def _contact_force(self, own: ArmReading) -> np.ndarray:
         """Force of the surroundings on the held object (3,) [N], world frame."""
         # The flange carries hand and object less what the surroundings push up with.
-        rotation = self._arm.twin.wrist_rotation(self.side)
-        force = self._tare - rotation @ own.wrist_force
+        force = self._tare - self._wrist_force(own)
         self._peak = max(self._peak, float(np.linalg.norm(force)))
         return force
 
-    def _insert(self) -> Generator[Targets, ArmReading, None]:
-        own = yield Targets()
-        own = yield from self._weigh(own)
-        own, supported = yield from self._descend(own)
-        self._reached = reached = self._travelled()
-        entered = self._settings.entered * (self._depth - self._free)
-        if reached > self._free + entered:
-            self._end(Status.CONVERGED)
-            return
-        yield from self._retreat(own, max(0.0, reached - self._settings.back_out))
-        millimetres = (self._depth - reached) * 1e3
-        reason = f"supported {millimetres:.0f} mm above the floor"
-        self._end(Status.STALLED, reason if supported else "blocked", jammed=True)
+    def _supported(self, own: ArmReading) -> bool:
+        return bool(self._contact_force(own)[2] > self._settings.contact_force)
 
-    def _weigh(self, own: ArmReading) -> Generator[Targets, ArmReading, ArmReading]:
+    def _weigh(self, own: ArmReading) -> Stage:
         """Tare the wrist while nothing touches the object."""
-        n = round(self._settings.tare_time / CONTROL_PERIOD)
-        self._tare = np.zeros(3)
-        total = np.zeros(3)
-        for _ in range(n):
-            total -= self._contact_force(own)
+        forces = []
+        for _ in range(round(self._settings.tare_time / CONTROL_PERIOD)):
+            forces.append(self._wrist_force(own))
             own = yield Targets(joints=self._servo.step(own, self._start))
-        self._tare, self._peak = total / n, 0.0
+        self._tare = np.mean(forces, axis=0)
         return own
 
-    def _descend(
-        self, own: ArmReading
-    ) -> Generator[Targets, ArmReading, tuple[ArmReading, bool]]:
+    def _descend(self, own: ArmReading) -> Stage:
+        """Go down until the floor is reached or nothing moves any more."""
         settings = self._settings
-        reference, deepest, idle, supported = 0.0, 0.0, 0.0, False
-        while idle < settings.jam_time:
-            force = self._contact_force(own)
+        floor = self._depth - settings.floor_tolerance
+        reference, idle = 0.0, 0.0
+        while idle < settings.jam_time and not (
+            self._deepest > floor and self._supported(own)
+        ):
             travelled = self._travelled()
-            supported = force[2] > settings.contact_force
-            advanced = travelled > deepest + settings.progress
-            deepest = travelled if advanced else deepest
+            advanced = travelled > self._deepest + settings.progress
+            self._deepest = travelled if advanced else self._deepest
             idle = 0.0 if advanced else idle + CONTROL_PERIOD
-            if supported and travelled > self._depth - settings.floor_tolerance:
-                break
+            force = self._contact_force(own)
             self._yield_to(force, travelled)
             speed, windup = self._pace(travelled)
-            lead = max(settings.lead, speed * settings.lead_time)
-            if force[2] > settings.waiting_force:
-                reference, lead = min(reference, travelled), 0.0
-            ahead = reference + speed * CONTROL_PERIOD
-            reference = min(ahead, travelled + lead, self._depth + 0.004)
+            reference = self._ahead(reference, travelled, speed, float(force[2]))
             below = self._below(reference)
             own = yield Targets(joints=self._servo.step(own, below, windup))
-        return own, supported
+        return own
 
     def _pace(self, travelled: float) -> tuple[float, float]:
         """Descent speed [m/s] and servo lead [rad] at a height."""
@@ -160,25 +144,35 @@ class InsertionController(Controller):
             return settings.rim_speed, settings.rim_windup
         return settings.inner_speed, settings.windup
 
+    def _ahead(
+        self, reference: float, travelled: float, speed: float, load: float
+    ) -> float:
+        """Next reference [m]: ahead of the hand, unless the load [N] says to wait."""
+        settings = self._settings
+        if load > settings.waiting_force:
+            return min(reference, travelled)
+        lead = max(settings.lead, speed * settings.lead_time)
+        end = self._depth + settings.lead
+        return min(reference + speed * CONTROL_PERIOD, travelled + lead, end)
+
     def _yield_to(self, force: np.ndarray, travelled: float) -> None:
         """Lateral admittance, once the object can be in touch with the receptacle."""
-        if travelled < self._free - 0.005:
+        if travelled < self._free + self._settings.rim_zone[0]:
             return
         shift = self._shift + self._settings.compliance * force * [1, 1, 0]
         length = float(np.linalg.norm(shift))
-        limit = self._settings.yield_limit
-        self._shift = shift if length <= limit else shift * (limit / length)
+        self._shift = shift * min(1.0, self._settings.yield_limit / max(length, 1e-9))
 
     def _below(self, distance: float) -> mink.SE3:
         place = self._start.translation() + self._shift - [0, 0, distance]
         return mink.SE3.from_rotation_and_translation(self._start.rotation(), place)
 
-    def _retreat(
-        self, own: ArmReading, target: float
-    ) -> Generator[Targets, ArmReading, None]:
-        """Back out of the rim, straight up, with the object still in the hand."""
+    def _back_out(self, own: ArmReading) -> Stage:
+        """Straight up out of the rim, with the object still in the hand."""
+        settings = self._settings
         reference = self._travelled()
-        step = self._settings.free_speed * CONTROL_PERIOD
-        while self._travelled() > target + 0.01:
-            reference = max(target, reference - step)
+        target = max(0.0, reference - settings.back_out)
+        while self._travelled() > target + settings.back_out_tolerance:
+            reference = max(target, reference - settings.free_speed * CONTROL_PERIOD)
             own = yield Targets(joints=self._servo.step(own, self._below(reference)))
+        return own

@@ -2,7 +2,19 @@
 
 from dataclasses import dataclass
 
+from prospect_mj.control.hand_servo import MotionSettings
 from prospect_mj.control.result import ControlResult
+
+LOWERING = MotionSettings(
+    speed=0.15,
+    turn_speed=0.5,
+    position_tolerance=0.0,
+    angle_tolerance=0.0,
+    free_roll=False,
+    windup=0.03,
+    time_budget=10.0,
+)
+"""Motion of the hand while it inserts; how it ends is the insertion's affair."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +55,8 @@ class InsertionSettings:
     """Averaging of the wrist sensor before the descent [s]."""
     back_out: float = 0.08
     """Height regained after a jam [m]."""
+    back_out_tolerance: float = 0.01
+    """How near to that is near enough [m]."""
     floor_tolerance: float = 0.008
     """How near to its full depth a supported object stands on the floor [m]."""
     entered: float = 0.6

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from prospect_mj.control.arm_control import ArmControl
-from prospect_mj.control.cartesian_motion import MIN_CONTACTS, RELEASE_TIME
 from prospect_mj.control.controller import CONTROL_PERIOD, Controller
+from prospect_mj.control.grip_watch import GripWatch
 from prospect_mj.control.result import Status, Targets
 from prospect_mj.robot.torso import ArmReading, Reading
 
@@ -52,7 +52,7 @@ class PostureMotion(Controller):
         self._settings = PostureSettings() if settings is None else settings
         super().__init__(arm.side, self._settings.time_budget)
         self._arm, self._posture, self._carrying = arm, posture, carrying
-        self._empty = 0.0
+        self._grip = GripWatch(carrying)
 
     def _law(self, reading: Reading) -> Targets:
         own = reading[self.side]
@@ -62,18 +62,19 @@ class PostureMotion(Controller):
             self._finish(Status.CONVERGED)
             # The exact posture, so that every action starts from the same commands.
             return Targets(joints=self._posture)
-        self._watch(own)
+        if self._grip.lost(own.touch):
+            self._finish(Status.LOST, GripWatch.REASON)
+        return Targets(joints=self._towards(own))
+
+    def _towards(self, own: ArmReading) -> np.ndarray:
+        """Joint servo targets (7,) [rad] for the next control period."""
+        settings = self._settings
         velocity = self._arm.ik.solve_posture(self._posture)
         if self._carrying:
             fastest = float(np.abs(velocity).max())
-            velocity *= min(1.0, self._settings.carrying_speed / max(fastest, 1e-9))
-        ramp = min(1.0, (self.seconds + CONTROL_PERIOD) / self._settings.ramp_time)
+            velocity *= min(1.0, settings.carrying_speed / max(fastest, 1e-9))
+        ramp = min(1.0, (self.seconds + CONTROL_PERIOD) / settings.ramp_time)
         ahead = own.joint_command + ramp * velocity * CONTROL_PERIOD
-        windup = self._settings.windup
-        return Targets(joints=np.clip(ahead, own.joints - windup, own.joints + windup))
-
-    def _watch(self, own: ArmReading) -> None:
-        held = not self._carrying or own.touch.found.sum() >= MIN_CONTACTS
-        self._empty = 0.0 if held else self._empty + CONTROL_PERIOD
-        if self._empty > RELEASE_TIME:
-            self._finish(Status.LOST, "fewer than two fingertips feel the object")
+        return np.clip(
+            ahead, own.joints - settings.windup, own.joints + settings.windup
+        )

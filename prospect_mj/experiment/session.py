@@ -48,7 +48,7 @@ def start(
         closing(make_env(config)) as env,
         RunFolder.create(out, config) as folder,
     ):
-        say(f"training in {folder.path} (interrupted: --resume {folder.path})")
+        say(f"training in {folder.path}; --resume {folder.path} goes on after a stop")
         return _finish(folder, env)
 
 
