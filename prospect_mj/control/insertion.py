@@ -118,13 +118,14 @@ class InsertionController(ProceduralController):
         """Go down until the floor is reached or nothing moves any more."""
         settings = self._settings
         floor = self._depth - settings.floor_tolerance
-        reference, idle = 0.0, 0.0
+        reference, mark, idle = 0.0, 0.0, 0.0
         while idle < settings.jam_time and not (
             self._deepest > floor and self._supported(own)
         ):
             travelled = self._travelled()
-            advanced = travelled > self._deepest + settings.progress
-            self._deepest = travelled if advanced else self._deepest
+            self._deepest = max(self._deepest, travelled)
+            advanced = travelled > mark + settings.progress
+            mark = travelled if advanced else mark
             idle = 0.0 if advanced else idle + CONTROL_PERIOD
             force = self._contact_force(own)
             self._yield_to(force, travelled)
