@@ -87,12 +87,9 @@ def _release(robot: Robot, side: Side) -> plan.Steps:
 
 def _abandon(robot: Robot, side: Side, result: ControlResult) -> Plan:
     """Back to where a held jar is kept, if it is still held."""
-    if result.status is Status.LOST:
-        yield from plan.drop(robot, side)
-        return ActionResult.LOST
-    presented = yield from plan.present(robot, side)
-    if presented.status is Status.LOST:
-        yield from plan.drop(robot, side)
-        return ActionResult.LOST
-    jammed = isinstance(result, InsertionResult) and result.jammed
-    return ActionResult.JAMMED if jammed else ActionResult.NOT_REACHED
+    if result.status is not Status.LOST:
+        jammed = isinstance(result, InsertionResult) and result.jammed
+        result = yield from plan.present(robot, side)
+        if result.converged:
+            return ActionResult.JAMMED if jammed else ActionResult.NOT_REACHED
+    return (yield from plan.conclude(robot, side, result))

@@ -46,14 +46,24 @@ class Robot:
 def run(controller: Controller) -> Step:
     """Run one controller alone."""
     yield (controller,)
-    assert controller.result is not None
+    return ended(controller)
+
+
+def ended(controller: Controller) -> ControlResult:
+    """The result of a controller that has run, which it then has."""
+    if controller.result is None:
+        raise RuntimeError(f"{type(controller).__name__} was not run to its end")
     return controller.result
 
 
-def failure(result: ControlResult) -> ActionResult:
-    """What a motion's failure means for its action."""
-    lost = result.status is Status.LOST
-    return ActionResult.LOST if lost else ActionResult.NOT_REACHED
+def conclude(robot: Robot, side: Side, result: ControlResult) -> Plan:
+    """End an action by the result of the motion that carries the jar away."""
+    if result.converged:
+        return ActionResult.SUCCESS
+    if result.status is Status.LOST:
+        yield from drop(robot, side)
+        return ActionResult.LOST
+    return ActionResult.NOT_REACHED
 
 
 def withdraw(robot: Robot, side: Side, target: mink.SE3) -> Steps:

@@ -14,7 +14,7 @@ from prospect_mj.actions.belief import Belief
 from prospect_mj.actions.grasp import grasp
 from prospect_mj.actions.held import felt_jar
 from prospect_mj.actions.insert import insert
-from prospect_mj.actions.plan import Plan, Robot
+from prospect_mj.actions.plan import Plan, Robot, ended
 from prospect_mj.actions.swap import swap
 from prospect_mj.actions.workspace import workspace
 from prospect_mj.control.arm_control import ArmControl
@@ -113,5 +113,5 @@ class ActionRunner:
 
 
 def _record(controller: Controller) -> ControllerRun:
-    assert controller.result is not None
-    return ControllerRun(type(controller).__name__, controller.side, controller.result)
+    name = type(controller).__name__
+    return ControllerRun(name, controller.side, ended(controller))

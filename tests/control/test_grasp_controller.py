@@ -113,15 +113,27 @@ def test_nothing_between_the_fingers_is_lost_not_grasped(rig, side):
     assert result.probes == 1
 
 
-def test_a_jar_that_two_fingers_reach_only_is_not_grasped(rig):
-    """The hand stands 4 cm aside: no third contact, no grasp, and no exception."""
-    rig.present(lid="left", bias=(0.04, 0.0, 0.0))
-    rig.belief.seen.position[:] = rig.simulation.jar_position
-    round_the_jar(rig, "left", (0.0, 0.03))
-    result = grasp(rig, "left")
-    assert not result.converged
-    assert result.reason
-    assert result.seconds <= GraspSettings().time_budget + CONTROL_PERIOD
+def test_a_residual_that_does_not_fall_is_a_stall(rig):
+    """One probe may not be enough, and no more are allowed: said, not raised."""
+    rig.present(lid="left")
+    round_the_jar(rig, "left", (0.0, 0.012))
+    settings = GraspSettings(max_probes=1)
+    controller = GraspController(rig.arms["left"], posture.home("left"), settings)
+    result = rig.drive(controller)
+    assert result.status is Status.STALLED
+    assert result.reason == f"residual {result.residual:.3f} does not fall"
+    assert result.residual > THRESHOLD
+    assert result.probes == 1
+
+
+def test_the_time_budget_of_a_grasp_is_respected(rig):
+    rig.present(lid="left")
+    round_the_jar(rig, "left", (0.007, 0.0))
+    settings = GraspSettings(time_budget=0.5)
+    controller = GraspController(rig.arms["left"], posture.home("left"), settings)
+    result = rig.drive(controller)
+    assert result.status is Status.OUT_OF_TIME
+    assert result.seconds == pytest.approx(0.5, abs=1.01 * CONTROL_PERIOD)
 
 
 @pytest.mark.parametrize("side", SIDES)

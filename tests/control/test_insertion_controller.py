@@ -1,5 +1,6 @@
 """Insertion in physics: it fits, it jams and backs out, it is guided in, it is lost."""
 
+import mujoco
 import numpy as np
 import pytest
 from rig import SIDES, holding, holding_wrong
@@ -20,6 +21,19 @@ def lowest_point(rig):
     return rig.simulation.jar_position[2] - HALF * abs(axis[2])
 
 
+def force_of_the_well(rig):
+    """Sum of its contact forces on the jar (3,) [N], from the simulator."""
+    total, force = np.zeros(3), np.zeros(6)
+    for i in range(rig.data.ncon):
+        contact = rig.data.contact[i]
+        names = [rig.model.geom(int(geom)).name for geom in contact.geom]
+        if any(name.startswith("well/") for name in names):
+            mujoco.mj_contactForce(rig.model, rig.data, i, force)
+            onto = contact.frame.reshape(3, 3).T @ force[:3]
+            total += onto if names[1].startswith("jar/") else -onto
+    return total
+
+
 @pytest.mark.parametrize("side", SIDES)
 def test_the_right_way_round_it_stands_on_the_floor(rig, side):
     rig.restore(holding(side))
@@ -35,11 +49,11 @@ def test_the_right_way_round_it_stands_on_the_floor(rig, side):
 @pytest.mark.parametrize("side", SIDES)
 @pytest.mark.parametrize("aside", [(0.006, 0), (-0.006, 0), (0, 0.006), (0, -0.006)])
 def test_a_misaligned_jar_is_guided_in_by_the_chamfer(rig, side, aside):
-    """6 mm aside with 4 mm of play: without yielding it would stand on the rim."""
+    """About 6 mm aside with 4 mm of play: without yielding it would stand on the rim."""
     rig.restore(holding(side))
     controller = over_the_well(rig, side, aside)
     start = rig.simulation.jar_position
-    assert np.abs(start[:2] - [0.45, 0.0]).max() > 0.0045
+    assert np.abs(start[:2] - [0.45, 0.0]).max() > 0.004
     result = rig.drive(controller)
     assert result.converged, result.reason
     assert lowest_point(rig) == pytest.approx(FLOOR, abs=2e-3)
@@ -56,8 +70,7 @@ def test_the_wrong_way_round_it_jams_and_comes_back_in_the_hand(rig, side, aside
 
     def watch():
         heights.append(lowest_point(rig))
-        # The rim's force on the jar, from the simulator: what the wrist should feel.
-        peak.append(result_of_contacts(rig))
+        peak.append(np.linalg.norm(force_of_the_well(rig)))
 
     result = rig.drive(over_the_well(rig, side, aside), hook=watch)
     assert result.status is Status.STALLED
@@ -70,38 +83,21 @@ def test_the_wrong_way_round_it_jams_and_comes_back_in_the_hand(rig, side, aside
     after = rig.jar_in_hand(side)
     assert np.linalg.norm(after.position - before.position) < 3e-3
     assert 2.0 < result.peak_force < FORCE_CAP
-    assert max(peak) < 1.5 * FORCE_CAP
-
-
-def result_of_contacts(rig):
-    """Vertical force [N] of the receptacle on the jar."""
-    jar = rig.model.body("jar/").id
-    return float(rig.data.cfrc_ext[jar, 5]) if rig.data.ncon else 0.0
+    assert max(peak) < FORCE_CAP
 
 
 @pytest.mark.parametrize("side", SIDES)
 def test_the_wrist_feels_the_force_that_acts_on_the_jar(rig, side):
     """The peak it reports against the peak of MuJoCo's contact forces in the well."""
-    import mujoco
-
     rig.restore(holding_wrong(side))
     controller = over_the_well(rig, side)
-    peak = [0.0]
-    force = np.zeros(6)
+    peak = []
 
     def watch():
-        total = np.zeros(3)
-        for i in range(rig.data.ncon):
-            contact = rig.data.contact[i]
-            names = [rig.model.geom(int(g)).name for g in contact.geom]
-            if any(name.startswith("well/") for name in names):
-                mujoco.mj_contactForce(rig.model, rig.data, i, force)
-                onto = contact.frame.reshape(3, 3).T @ force[:3]
-                total += onto if names[1].startswith("jar/") else -onto
-        peak[0] = max(peak[0], float(np.linalg.norm(total)))
+        peak.append(np.linalg.norm(force_of_the_well(rig)))
 
     result = rig.drive(controller, hook=watch)
-    assert result.peak_force == pytest.approx(peak[0], abs=3.0)
+    assert result.peak_force == pytest.approx(max(peak), abs=3.0)
 
 
 @pytest.mark.parametrize("side", SIDES)
