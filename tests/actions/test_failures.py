@@ -5,7 +5,7 @@ import pytest
 from rig import GRASP, INSERT, OTHER, SIDES, SWAP_FROM, Rig, holding, holding_wrong
 
 from prospect_mj.actions.action import Action, ActionResult
-from prospect_mj.actions.belief import Belief
+from prospect_mj.actions.belief import Belief, SeenJar
 from prospect_mj.sim.props import Jar, Props
 from prospect_mj.sim.scene import SceneSettings
 
@@ -50,12 +50,26 @@ def test_a_jar_that_is_not_where_it_was_believed_is_not_grasped(rig, side, bias)
 
 @pytest.mark.parametrize("side", SIDES)
 def test_after_a_failed_grasp_any_action_can_follow(rig, side):
-    """The hand missed the jar and left it where it is; the next look finds it."""
-    rig.present(lid=side, bias=(0, 0, 0.08))
+    """The hand missed the jar and left it where it is; a better look finds it."""
+    rig.present(lid=side, bias=(0.08, 0, 0))
     rig.act(GRASP[side])
-    rig.belief.seen.position[:] = rig.simulation.jar_position
+    axis = rig.simulation.jar_axis
+    seen = SeenJar(rig.simulation.jar_position, np.sign(axis[1]) * axis)
+    rig.runner.begin(Belief(seen))
     (outcome,) = rig.act(GRASP[side])
     assert outcome.result is ActionResult.SUCCESS
+
+
+@pytest.mark.parametrize("side", SIDES)
+def test_a_jar_in_the_way_of_the_hand_is_not_reached(rig, side):
+    """Believed 8 cm nearer than it is: the open fingers run into it on the way."""
+    rig.present(lid=side, bias=(-0.08, 0, 0))
+    (outcome,) = rig.act(GRASP[side])
+    assert outcome.result in (ActionResult.NOT_REACHED, ActionResult.NOT_GRASPED)
+    assert "GraspController" not in [run.name for run in outcome.runs]
+    assert rig.belief.holding is None
+    assert rig.is_home("left")
+    assert rig.is_home("right")
 
 
 @pytest.mark.parametrize("action", [Action.GRASP_LEFT, Action.GRASP_RIGHT])

@@ -5,7 +5,6 @@ import pytest
 from rig import GRASP, INSERT, OTHER, SIDES, SWAP_FROM, angle_between
 
 from prospect_mj.actions.action import Action, ActionResult
-from prospect_mj.robot import names
 
 PLACES = [
     ((0.0, 0.0, 0.0), 0.0),
@@ -165,7 +164,9 @@ def test_an_outcome_lists_its_controllers_and_adds_up_their_time(rig, side):
     assert "Weighing" in runs
     assert all(run.side == side for run in outcome.runs)
     # Only the reach and the opening hand run at the same time.
-    in_turn = sum(run.result.seconds for run in outcome.runs if run.name != "HandMotion")
+    in_turn = sum(
+        run.result.seconds for run in outcome.runs if run.name != "HandMotion"
+    )
     assert outcome.sim_seconds == pytest.approx(in_turn, abs=0.3)
 
 
@@ -189,4 +190,3 @@ def test_what_happened_before_does_not_matter_to_a_new_trial(rig):
     rig.present("left")
     rig.act(GRASP["left"], INSERT["left"])
     assert np.array_equal(rig.simulation.save(), clean)
-    assert names.SIDES == SIDES

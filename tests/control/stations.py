@@ -5,8 +5,6 @@ import numpy as np
 from rig import Rig
 
 from prospect_mj.actions import poses
-from prospect_mj.actions.grasp import grip_pose, jar_rotation
-from prospect_mj.actions.plan import Robot
 from prospect_mj.actions.workspace import workspace
 from prospect_mj.control.fine_motion import FineMotion
 from prospect_mj.control.gross_motion import GrossMotion
@@ -19,13 +17,15 @@ UP = np.array([0.0, 0.0, 1.0])
 def round_the_jar(rig: Rig, side: str, offset=(0.0, 0.0), tilt=0.0) -> None:
     """Open hand round its end of the presented jar, displaced across the palm axis."""
     work = workspace(rig.simulation.settings.props)
-    robot = Robot(rig.arms, rig.belief, work)
-    seen = rig.belief.seen
-    lying = poses.pose(jar_rotation(seen.axis), seen.position)
-    arm, home = rig.arms[side], posture.home(side)
-    before = poses.backed_off(grip_pose(robot, side, lying), work.stand_off)
+    seen, arm, home = rig.belief.seen, rig.arms[side], posture.home(side)
+
+    def round_its_end():
+        point, palm = poses.end_of_jar(side, seen.position, seen.axis, work.reach)
+        return poses.pose(poses.turned_to(arm.grasp_pose().rotation(), palm), point)
+
+    before = poses.backed_off(round_its_end(), work.stand_off)
     assert rig.drive(GrossMotion(arm, before, home)).converged
-    exact = grip_pose(robot, side, lying)
+    exact = round_its_end()
     beside = mink.SE3.from_rotation_and_translation(
         mink.SO3.exp(np.array([tilt, 0.0, 0.0])), np.array([*offset, 0.0])
     )

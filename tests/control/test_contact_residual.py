@@ -52,7 +52,7 @@ def test_an_offset_of_the_hand_is_felt_as_a_force(direction):
 
 
 def test_a_tilt_of_the_hand_is_felt_as_a_moment():
-    """Contacts on a plane tilted by a about x: rho_m = (3/2) r/l a about x, no force."""
+    """Contacts in a plane tilted by a about x: rho_m = (3/2) r/l a, and no force."""
     tilt = 1e-3
     positions, normals = on_cylinder()
     positions = positions + [0, 0, 1] * np.outer(positions[:, 1], [tilt])

@@ -11,6 +11,7 @@ from prospect_mj import paths
 
 MIRROR = np.diag([1.0, -1.0, 1.0])
 
+
 @pytest.fixture(scope="module")
 def model():
     return mujoco.MjModel.from_xml_path(str(paths.torso_xml()))
@@ -47,7 +48,9 @@ def test_ranges_and_servos_mirror(model):
         flips = model.joint(left).name[-1] in "1357"
         expected = (-high, -low) if flips else (low, high)
         assert model.jnt_range[right] == pytest.approx(expected)
-        assert model.jnt_actfrcrange[right] == pytest.approx(model.jnt_actfrcrange[left])
+        assert model.jnt_actfrcrange[right] == pytest.approx(
+            model.jnt_actfrcrange[left]
+        )
         for field in ("dof_armature", "dof_damping"):
             values = getattr(model, field)[model.jnt_dofadr[[left, right]]]
             assert values[0] == values[1]

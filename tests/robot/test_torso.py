@@ -129,6 +129,26 @@ def test_a_reading_is_a_copy_that_later_physics_leaves_alone(rig):
 
 
 @pytest.mark.parametrize("side", SIDES)
+def test_encoders_tell_where_the_joints_are_and_not_where_they_should_be(rig, side):
+    """In full motion, when the servos lag behind their commands."""
+    rig.present()
+    arm = rig.torso.arms[side]
+    arm.command_joints(posture.presenting(side))
+    arm.command_fingers(np.full(3, 1.3))
+    rig.wait(0.1)
+    own = arm.read()
+    joints = [rig.data.joint(name) for name in names.arm_joints(side)]
+    assert own.joints == pytest.approx([joint.qpos[0] for joint in joints])
+    assert own.velocities == pytest.approx([joint.qvel[0] for joint in joints])
+    fingers = [rig.data.joint(proximal) for proximal, _ in names.finger_joints(side)]
+    assert own.fingers == pytest.approx([finger.qpos[0] for finger in fingers])
+    assert own.joint_command == pytest.approx(posture.presenting(side))
+    assert own.finger_command == pytest.approx(np.full(3, 1.3))
+    assert np.abs(own.joints - own.joint_command).max() > 0.1
+    assert np.abs(own.velocities).max() > 0.1
+
+
+@pytest.mark.parametrize("side", SIDES)
 def test_commands_reach_the_joints_of_their_side_only(rig, side):
     rig.present()
     rig.torso.arms[side].command_joints(posture.presenting(side))
@@ -145,7 +165,9 @@ def test_one_motor_moves_both_links_of_a_finger_three_to_one(rig, side):
     motors = np.array([0.3, 0.8, 1.2])
     rig.torso.arms[side].command_fingers(motors)
     rig.wait(1.0)
-    for angle, (proximal, distal) in zip(motors, names.finger_joints(side), strict=True):
+    for angle, (proximal, distal) in zip(
+        motors, names.finger_joints(side), strict=True
+    ):
         assert rig.data.joint(proximal).qpos[0] == pytest.approx(angle, abs=0.01)
         assert rig.data.joint(distal).qpos[0] == pytest.approx(angle / 3, abs=0.01)
 

@@ -1,4 +1,4 @@
-"""The composed scene: only gravity and contact act on the jar, and all links collide."""
+"""The composed scene: only gravity and contact act on the jar; all links collide."""
 
 import importlib.util
 from dataclasses import replace
@@ -166,7 +166,9 @@ def test_the_jar_has_the_mass_and_balance_of_its_settings(model):
     ]
     assert along == pytest.approx(sum(m * r**2 / 2 for m, r, _, _ in solid))
     assert across == pytest.approx(
-        sum(m * (3 * r**2 + h**2) / 12 + m * (z - expected) ** 2 for m, r, h, z in solid)
+        sum(
+            m * (3 * r**2 + h**2) / 12 + m * (z - expected) ** 2 for m, r, h, z in solid
+        )
     )
 
 

@@ -105,7 +105,9 @@ def test_only_physics_moves_the_jar_after_reset(rig, lid):
     for command, expected in zip(ctrl, jar, strict=True):
         data.ctrl[:] = command
         mujoco.mj_step(rig.model, data)
-        assert np.array_equal(np.concatenate([data.qpos[-7:], data.qvel[-6:]]), expected)
+        assert np.array_equal(
+            np.concatenate([data.qpos[-7:], data.qvel[-6:]]), expected
+        )
 
 
 def test_the_observer_sees_every_step_and_changes_nothing(rig):
