@@ -17,8 +17,9 @@ def grasp(robot: Robot, side: Side) -> Plan:
     if seen is None:
         return ActionResult.NOT_SEEN
     lying = poses.pose(poses.turned_to(mink.SO3.identity(), seen.axis), seen.position)
-    if not (yield from take_hold(robot, side, lambda: lying)):
-        return ActionResult.NOT_GRASPED
+    taken = yield from take_hold(robot, side, lambda: lying)
+    if taken is not ActionResult.SUCCESS:
+        return taken
     lifted = yield from _lift(robot, side)
     if not lifted.converged:
         # Whatever went wrong, the jar does not hang safely in this hand.

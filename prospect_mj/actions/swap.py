@@ -14,8 +14,9 @@ from prospect_mj.robot.names import Side
 def swap(robot: Robot, giver: Side) -> Plan:
     """Grasp the free end with the other hand, then let go with the first."""
     taker = names.other(giver)
-    if not (yield from take_hold(robot, taker, lambda: robot.held_jar(giver))):
-        return ActionResult.NOT_GRASPED
+    taken = yield from take_hold(robot, taker, lambda: robot.held_jar(giver))
+    if taken is not ActionResult.SUCCESS:
+        return taken
     carried = yield from _let_go(robot, giver, taker)
     return (yield from plan.conclude(robot, taker, carried))
 

@@ -1,14 +1,15 @@
 """Taking hold of a jar's end: the part that grasping and swapping have in common."""
 
-from collections.abc import Callable, Generator
+from collections.abc import Callable
 
 import mink
 
 from prospect_mj.actions import plan, poses
-from prospect_mj.actions.plan import Robot, Step
-from prospect_mj.control.controller import Controller
+from prospect_mj.actions.action import ActionResult
+from prospect_mj.actions.plan import Plan, Robot, Step
 from prospect_mj.control.fine_motion import FineMotion
 from prospect_mj.control.grasp import GraspController
+from prospect_mj.control.grasp_settings import GraspResult
 from prospect_mj.control.gross_motion import GrossMotion
 from prospect_mj.control.hand_motion import HandMotion
 from prospect_mj.robot.names import Side
@@ -17,9 +18,7 @@ WhereIsJar = Callable[[], mink.SE3]
 """Tells the pose of the jar in the world as it is known at that moment."""
 
 
-def take_hold(
-    robot: Robot, side: Side, jar: WhereIsJar
-) -> Generator[tuple[Controller, ...], None, bool]:
+def take_hold(robot: Robot, side: Side, jar: WhereIsJar) -> Plan:
     """Close an open hand round the jar's end on its side; withdraw it if that fails.
 
     Args:
@@ -28,16 +27,18 @@ def take_hold(
         jar: where the jar is.
 
     Returns:
-        Whether the hand holds the jar, which the robot then believes.
+        SUCCESS if the hand holds the jar, which the robot then believes; NOT_GRASPED
+        if the fingers found no stable grasp, NOT_REACHED if they did not get there.
     """
     arm = robot.arms[side]
     grasped = yield from _close_on(robot, side, jar)
     if grasped.converged:
         robot.belief.held[side] = arm.grasp_pose().inverse() @ jar()
-        return True
+        return ActionResult.SUCCESS
     retreat = poses.backed_off(arm.grasp_pose(), robot.workspace.stand_off)
     yield from plan.withdraw(robot, side, retreat)
-    return False
+    tried = isinstance(grasped, GraspResult)
+    return ActionResult.NOT_GRASPED if tried else ActionResult.NOT_REACHED
 
 
 def _close_on(robot: Robot, side: Side, jar: WhereIsJar) -> Step:

@@ -41,7 +41,10 @@ class IKSettings:
     """Joint velocity limits [rad/s], within the WAM's 2.0."""
     clearance: float = 0.01
     """Least distance between links and anything else [m]."""
-    detection: float = 0.08
+    approach_gain: float = 0.10
+    """Share of the distance beyond the clearance that may be closed per control
+    period; the servos lag by 0.12 s, so a larger one would overshoot into contact."""
+    detection: float = 0.12
     """Distance from which on approaching is slowed [m]."""
 
 
@@ -186,7 +189,7 @@ def _collision_limit(
     return _ActiveCollisionLimit(
         model,
         [(arm + hand, fixtures), (arm + hand, rival), (arm[2:] + hand, body)],
-        gain=0.3,
+        gain=settings.approach_gain,
         minimum_distance_from_collisions=settings.clearance,
         collision_detection_distance=settings.detection,
     )
@@ -200,5 +203,5 @@ def _geoms(twin: KinematicTwin, *bodies: str) -> list[str]:
 
 
 def _fingers(side: Side) -> list[str]:
-    """The distal links: nothing reaches the proximal ones of an open hand first."""
-    return [distal for _, distal in names.finger_joints(side)]
+    """Both links of every finger; the fingertips are within the clearance of them."""
+    return [joint for pair in names.finger_joints(side) for joint in pair]

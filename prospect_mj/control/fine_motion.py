@@ -16,8 +16,8 @@ FINE = MotionSettings(
     angle_tolerance=0.015,
     free_roll=False,
     windup=0.15,
-    time_budget=4.0,
-    rest_speed=0.03,
+    time_budget=2.5,
+    rest_speed=0.02,
 )
 
 PASSING = replace(

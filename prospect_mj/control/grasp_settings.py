@@ -39,7 +39,7 @@ class GraspSettings:
     """[s]"""
     least_force: float = 4.0
     """Every fingertip must press at least this hard in the end [N]."""
-    time_budget: float = 8.0
+    time_budget: float = 5.0
     """[s]"""
 
     @property

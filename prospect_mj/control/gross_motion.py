@@ -14,7 +14,7 @@ GROSS = MotionSettings(
     angle_tolerance=0.10,
     free_roll=True,
     windup=0.15,
-    time_budget=5.0,
+    time_budget=3.5,
 )
 
 

@@ -37,9 +37,9 @@ class Weighing(Controller):
         self,
         arm: ArmControl,
         expected: float,
-        share: float = 0.6,
+        share: float = 0.4,
         duration: float = 0.1,
-        rest: float = 0.1,
+        rest: float = 0.16,
     ) -> None:
         """Start with an empty average."""
         super().__init__(arm.side, time_budget=1.0)

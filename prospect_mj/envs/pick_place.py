@@ -159,8 +159,9 @@ status of the look: "found", "unsure" or "not_found" |
         unknown = set(options) - {"orientation"}
         if unknown:
             raise InvalidChoice("reset option", min(unknown), ["orientation"])
-        drawn = ORIENTATIONS[int(self.np_random.integers(len(ORIENTATIONS)))]
-        return checked_orientation(options.get("orientation", drawn))
+        if "orientation" in options:
+            return checked_orientation(options["orientation"])
+        return ORIENTATIONS[int(self.np_random.integers(len(ORIENTATIONS)))]
 
     def step(
         self, action: int

@@ -33,8 +33,8 @@ SPREAD = np.deg2rad(60.0)
 """Where the spread joint is locked [rad]; its range is 0 to 180 degrees."""
 MASS = 1.18
 """Whole hand [kg]."""
-PALM_HEIGHT = 0.0755
-"""Wrist plate to palm surface, where the finger bases stand [m]."""
+PALM_HEIGHT = 0.076
+"""Dw [m], of the BH8-280: wrist plate to palm surface, where the fingers stand."""
 
 
 @dataclass(frozen=True)

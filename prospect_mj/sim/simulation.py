@@ -114,7 +114,10 @@ class Simulation:
         return self.data.xmat[self._jar].reshape(3, 3)[:, 2].copy()
 
     def save(self) -> np.ndarray:
-        """The whole state, from which stepping continues bit-identically."""
+        """The whole state, from which stepping continues bit-identically.
+
+        The lamp's brightness belongs to the model and is not part of it.
+        """
         state = np.empty(mujoco.mj_stateSize(self.model, _STATE))
         mujoco.mj_getState(self.model, self.data, state, _STATE)
         return state

@@ -42,7 +42,9 @@ def test_the_right_way_round_it_stands_on_the_floor(rig, side):
     assert result.converged, result.reason
     assert not result.jammed
     assert lowest_point(rig) == pytest.approx(FLOOR, abs=2e-3)
-    assert result.depth == pytest.approx(0.105, abs=0.003)
+    # As deep as the start was high, give or take the jar's creep along its axis and
+    # the tolerance of the alignment.
+    assert result.depth == pytest.approx(0.105, abs=0.005)
     assert 2.0 < result.peak_force < FORCE_CAP
 
 
