@@ -22,6 +22,7 @@ from prospect_mj.control.gross_motion import GrossMotion
 from prospect_mj.control.hand_motion import HandMotion
 from prospect_mj.control.posture_motion import PostureMotion
 from prospect_mj.control.result import ControlResult, Status
+from prospect_mj.errors import InvalidValue
 from prospect_mj.robot import posture
 from prospect_mj.robot.names import Side
 
@@ -52,7 +53,8 @@ def run(controller: Controller) -> Step:
 def ended(controller: Controller) -> ControlResult:
     """The result of a controller that has run, which it then has."""
     if controller.result is None:
-        raise RuntimeError(f"{type(controller).__name__} was not run to its end")
+        name = type(controller).__name__
+        raise InvalidValue("controller", name, "one that has run to its end")
     return controller.result
 
 
