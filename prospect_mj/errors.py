@@ -32,6 +32,10 @@ class MissingFile(ProspectError, FileNotFoundError):
     """A model or asset file that should ship with the package is not there."""
 
 
+class InvalidModel(ProspectError):
+    """A model or asset file that can't be read or compiled."""
+
+
 class RunFolderError(ProspectError):
     """A run folder that cannot be used: foreign, unreadable, occupied or different."""
 

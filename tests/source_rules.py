@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 MAX_MODULE_LINES = 250
-MAX_FUNCTION_LINES = 60
+MAX_FUNCTION_LINES = 40
 
 CONFINED = {
     "dm_control": ("prospect_mj/sim/scene.py",),

@@ -88,8 +88,9 @@ def present(robot: Robot, side: Side) -> Step:
     target = jar_over(side, arm.grasp_pose(), held, place, outward(side))
     reference = posture.presenting(side)
     reached = yield from run(GrossMotion(arm, target, reference, carrying=True))
-    if not reached.converged:
+    if reached.status is Status.LOST:
         return reached
+    # However far that came: it is the posture that the next action starts from.
     return (yield from run(PostureMotion(arm, reference, carrying=True)))
 
 

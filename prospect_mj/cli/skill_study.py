@@ -7,8 +7,7 @@ from dataclasses import dataclass
 
 from prospect_mj.cli import command_line
 from prospect_mj.errors import InvalidValue
-from prospect_mj.experiment import skill_study
-from prospect_mj.task.pick_place import TaskSettings
+from prospect_mj.sim import gl
 
 
 @dataclass(frozen=True)
@@ -46,6 +45,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         options = command_line.parse(
             StudyOptions, arguments, StudyOptions(), "skill_study.py"
         )
+        gl.require_gl()
         print(_skills(options))
         print(_episodes(options))
 
@@ -53,6 +53,9 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _skills(options: StudyOptions) -> str:
+    from prospect_mj.experiment import skill_study
+    from prospect_mj.task.pick_place import TaskSettings
+
     runs = skill_study.skills_in_parallel(
         TaskSettings(), options.presentations, options.jobs, options.seed
     )
@@ -67,6 +70,9 @@ def _skills(options: StudyOptions) -> str:
 
 
 def _episodes(options: StudyOptions) -> str:
+    from prospect_mj.experiment import skill_study
+    from prospect_mj.task.pick_place import TaskSettings
+
     episodes = skill_study.random_policy_in_parallel(
         TaskSettings(), options.episodes, options.jobs, options.seed
     )

@@ -2,36 +2,22 @@
 
 import os
 import sys
-import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import AbstractContextManager, contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-
-import cv2
-import mujoco
-import mujoco.viewer
-import numpy as np
 
 from prospect_mj.actions.action import Action
 from prospect_mj.cli import command_line
 from prospect_mj.errors import InvalidChoice, InvalidValue
-from prospect_mj.sim import overview
-from prospect_mj.task.pick_place import PickPlaceTask
-from prospect_mj.task.presentation import Orientation
-
-FRAME_RATE = 25.0
-SIZE = (480, 854)
-"""Rows and columns of a video [pixels]."""
-
-Observer = Callable[[mujoco.MjData], None]
+from prospect_mj.robot.names import Side
+from prospect_mj.sim import gl
 
 
 @dataclass(frozen=True)
 class WatchOptions:
     """Watch a sequence of actions on one presentation of the jar."""
 
-    lid: Orientation = "left"
+    lid: Side = "left"
     """The side on which the lid lies."""
     actions: tuple[str, ...] = ("grasp-right", "swap-right-to-left", "insert-left")
     """Any of grasp-left, grasp-right, swap-left-to-right, swap-right-to-left,
@@ -49,8 +35,17 @@ class WatchOptions:
                 raise InvalidChoice("action", name, labels)
         if self.seed < 0:
             raise InvalidValue("seed", self.seed, "0 or more")
-        if self.video is not None and self.video.exists():
-            raise InvalidValue("video", str(self.video), "a file that does not exist")
+        if self.video is not None:
+            _check_video(self.video)
+
+
+def _check_video(path: Path) -> None:
+    if path.suffix != ".mp4":
+        raise InvalidValue("--video", str(path), "a name that ends in .mp4")
+    if path.exists():
+        raise InvalidValue("--video", str(path), "a file that does not exist")
+    if not path.parent.is_dir():
+        raise InvalidValue("--video", str(path), "a file in a folder that exists")
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -74,58 +69,12 @@ def _watch(options: WatchOptions) -> None:
     displays = (os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY"))
     if options.video is None and sys.platform == "linux" and not any(displays):
         raise InvalidValue("--video", None, "a file, as there is no display")
+    gl.require_gl()
+    # MuJoCo is not loaded before it is known that it can render.
+    from prospect_mj.experiment.screening import screen
+
     chosen = {action.label: action for action in Action}
-    with PickPlaceTask() as task:
-        task.reset(options.lid, np.random.default_rng(options.seed))
-        with _screen(options.video, task) as observer:
-            task.simulation.observer = observer
-            for name in options.actions:
-                outcome = task.execute(chosen[name])
-                print(f"{name}: {outcome.result}, {outcome.sim_seconds:.1f} s")
-
-
-def _screen(
-    video: Path | None, task: PickPlaceTask
-) -> AbstractContextManager[Observer]:
-    simulation = task.simulation
-    if video is None:
-        return _window(simulation.model, simulation.data)
-    return _film(video, simulation.model)
-
-
-@contextmanager
-def _window(model: mujoco.MjModel, data: mujoco.MjData) -> Iterator[Observer]:
-    """MuJoCo's viewer, kept at real time."""
-    with mujoco.viewer.launch_passive(model, data) as viewer:
-        start = time.monotonic() - data.time
-        last = data.time
-
-        def show(state: mujoco.MjData) -> None:
-            nonlocal last
-            if state.time - last >= 1 / FRAME_RATE:
-                last = state.time
-                viewer.sync()
-                time.sleep(max(0.0, start + state.time - time.monotonic()))
-
-        yield show
-
-
-@contextmanager
-def _film(path: Path, model: mujoco.MjModel) -> Iterator[Observer]:
-    """A video file that plays at real time."""
-    overview.light_for_people(model, SIZE)
-    camera = overview.camera()
-    codec = cv2.VideoWriter.fourcc(*"mp4v")
-    writer = cv2.VideoWriter(str(path), codec, FRAME_RATE, SIZE[::-1])
-    last = 0.0
-
-    def shoot(state: mujoco.MjData) -> None:
-        nonlocal last
-        if state.time - last >= 1 / FRAME_RATE:
-            last = state.time
-            renderer.update_scene(state, camera)
-            writer.write(cv2.cvtColor(renderer.render(), cv2.COLOR_RGB2BGR))
-
-    with mujoco.Renderer(model, *SIZE) as renderer:
-        yield shoot
-    writer.release()
+    actions = [chosen[name] for name in options.actions]
+    for outcome in screen(options.lid, actions, options.seed, options.video):
+        label = outcome.action.label
+        print(f"{label}: {outcome.result}, {outcome.sim_seconds:.1f} s", flush=True)

@@ -37,8 +37,9 @@ class IKSettings:
     damping_cost: float = 1e-2
     limit_margin: float = 0.03
     """Kept from every joint limit [rad]."""
-    velocity: tuple[float, ...] = (1.2, 1.2, 1.6, 1.6, 2.0, 2.0, 2.0)
-    """Joint velocity limits [rad/s], within the WAM's 2.0."""
+    velocity: tuple[float, ...] = (1.2, 1.2, 1.6, 1.6, 1.8, 1.8, 1.8)
+    """Joint velocity limits [rad/s]: the WAM's 2.0 less what the servos overshoot, and
+    slower at the shoulder, which carries the most."""
     clearance: float = 0.01
     """Least distance between links and anything else [m]."""
     approach_gain: float = 0.10

@@ -105,7 +105,12 @@ class GraspController(ProceduralController):
                 return
             own = yield from self._correct(own, probe.residual)
         own = yield from self._squeeze(own)
-        self._judge(own)
+        weakest = float(own.touch.force.min())
+        if not own.touch.found.all() or weakest < self._settings.least_force:
+            reason = f"the weakest fingertip presses with {weakest:.1f} N"
+            self._finish(Status.LOST, reason)
+            return
+        yield from self._tug(own)
 
     def _balanced(self, probe: Probe) -> bool:
         small = probe.residual.value < self._settings.residual_threshold
@@ -187,13 +192,21 @@ class GraspController(ProceduralController):
             own = yield Targets()
         return own
 
-    def _judge(self, own: ArmReading) -> None:
-        weakest = float(own.touch.force.min())
-        if not own.touch.found.all() or weakest < self._settings.least_force:
-            reason = f"the weakest fingertip presses with {weakest:.1f} N"
-            self._finish(Status.LOST, reason)
-        else:
-            self._finish(Status.CONVERGED)
+    def _tug(self, own: ArmReading) -> Procedure:
+        """Pull a little along the palm's axis: an object that is gripped resists."""
+        settings = self._settings
+        pose = self._arm.grasp_pose()
+        back = pose.translation() - settings.tug * pose.rotation().as_matrix()[:, 2]
+        target = mink.SE3.from_rotation_and_translation(pose.rotation(), back)
+        strongest = 0.0
+        for _ in range(round(settings.tug_time / CONTROL_PERIOD)):
+            own = yield Targets(joints=self._servo.step(own, target))
+            strongest = max(strongest, float(own.touch.shear.sum()))
+            if strongest > settings.gripping_shear:
+                self._finish(Status.CONVERGED)
+                return
+        reason = f"the fingers slip at {strongest:.1f} N: not graspable"
+        self._finish(Status.STALLED, reason)
 
 
 def _across(vector: np.ndarray, axis: np.ndarray) -> np.ndarray:

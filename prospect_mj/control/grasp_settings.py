@@ -37,6 +37,12 @@ class GraspSettings:
     """Final servo lead [rad]; 25 N m/rad make 17 N per fingertip of it."""
     squeeze_time: float = 0.2
     """[s]"""
+    tug: float = 0.004
+    """How far the hand pulls back along the palm's axis to feel its grip [m]."""
+    tug_time: float = 0.3
+    """For how long it tries [s]."""
+    gripping_shear: float = 1.5
+    """Tangential force of all fingertips together that proves a grip [N]."""
     least_force: float = 4.0
     """Every fingertip must press at least this hard in the end [N]."""
     time_budget: float = 5.0

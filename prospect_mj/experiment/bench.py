@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import wraps
 from time import perf_counter
-from typing import TYPE_CHECKING, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, ParamSpec, TypeVar, cast
 
 from prospect_mj.agent import LinearQ
 from prospect_mj.errors import InvalidValue
@@ -89,11 +89,8 @@ def bench(config: BenchConfig) -> BenchResult:
     Raises:
         ProspectError: if a model file is missing or nothing can be rendered.
     """
-    from prospect_mj.envs.pick_place import PickPlaceEnv
-
     training = TrainConfig(trials=config.trials, seed=config.seed)
-    env = make_environment(training)
-    assert isinstance(env, PickPlaceEnv)
+    env = cast("PickPlaceEnv", make_environment(training))
     env.reset(seed=0)  # compiles and warms up
     watch = _instrumented(env)
     learner = LinearQ()

@@ -42,7 +42,8 @@ def make_environment(config: TrainConfig) -> Environment:
     # should not have to wait for it.
     from prospect_mj.sim import gl
 
-    gl.configure()
+    # Before the imports: without OpenGL they fail, each library in its own words.
+    gl.require_gl()
     from prospect_mj.envs.pick_place import PickPlaceEnv, PickPlaceSettings
 
     settings = PickPlaceSettings(

@@ -5,7 +5,9 @@ BarrettHand (distal bend Phi3, mass); GraspIt, barrett_model, OpenRAVE (ranges).
 
 The palm frame has its origin on the wrist plate and z out of the palm. Finger 3 is
 the thumb on the -x side; fingers 1 and 2 turn about the spread axes, which are locked
-here at 60 degrees so that the three closing planes meet 120 degrees apart.
+here at 60 degrees so that the three closing planes meet 120 degrees apart. One motor
+drives both joints of a finger; the servos' commands are coupled, the joints are not,
+and the TorqueSwitch, which lets the distal link close on alone, is not modelled.
 """
 
 from dataclasses import dataclass

@@ -13,6 +13,7 @@ Element = Any
 
 SLOPE = np.pi / 4
 """Of the cradle's plates and of the well's chamfer [rad]."""
+_BRASS = (0.75, 0.62, 0.25, 1)
 _CHAMFER_THICKNESS = 0.002
 """Half thickness of the sloping plates [m]."""
 
@@ -126,35 +127,39 @@ def build_lamp(root: Element, lamp: Lamp) -> None:
         ambient=[0] * 3,
         specular=[0] * 3,
     )
-    rgba = [0.75, 0.62, 0.25, 1]
-    top = bulb - 0.06 * forward
+    rear = bulb - 0.06 * forward
     foot = np.array([*lamp.stand, 0.0])
-    elbow = np.array([*lamp.stand, top[2] + 0.1])
-    root.worldbody.add(
-        "geom",
-        name="shade",
-        type="cylinder",
-        size=[0.045],
-        fromto=[*(bulb - 0.025 * forward), *top],
-        rgba=rgba,
-    )
-    for name, start, end, radius in (
-        ("stand", foot, elbow, 0.012),
-        ("boom", elbow, top, 0.01),
+    elbow = np.array([*lamp.stand, rear[2] + 0.1])
+    for name, kind, start, end, radius in (
+        ("shade", "cylinder", bulb - 0.025 * forward, rear, 0.045),
+        ("stand", "capsule", foot, elbow, 0.012),
+        ("boom", "capsule", elbow, rear, 0.01),
+        ("foot", "cylinder", foot, foot + [0, 0, 0.02], 0.08),
     ):
-        root.worldbody.add(
-            "geom",
-            name=name,
-            type="capsule",
-            fromto=[*start, *end],
-            size=[radius],
-            rgba=rgba,
-        )
-    root.worldbody.add(
-        "geom",
-        name="foot",
-        type="cylinder",
-        size=[0.08, 0.01],
-        pos=foot + [0, 0, 0.01],
-        rgba=rgba,
-    )
+        _rod(root.worldbody, name, kind, start, end, radius, rgba=_BRASS)
+
+
+def build_jar(root: Element, jar: Jar, surface: dict[str, Any]) -> None:
+    """The two cylinders that collide and carry the mass; z points to the lid."""
+    half, shoulder = jar.length / 2, jar.length / 2 - jar.lid_length
+    for name, low, high, radius, share in (
+        ("body", -half, shoulder, jar.body_radius, 1 - jar.lid_share),
+        ("lid", shoulder, half, jar.lid_radius, jar.lid_share),
+    ):
+        ends = (np.array([0, 0, low]), np.array([0, 0, high]))
+        mass = share * jar.mass
+        _rod(root.worldbody, name, "cylinder", *ends, radius, mass=mass, **surface)
+
+
+def _rod(
+    body: Element,
+    name: str,
+    kind: str,
+    start: np.ndarray,
+    end: np.ndarray,
+    radius: float,
+    **geom: object,
+) -> None:
+    """A cylinder or capsule from one point to another."""
+    ends = [*start, *end]
+    body.add("geom", name=name, type=kind, fromto=ends, size=[radius], **geom)

@@ -10,6 +10,7 @@ import functools
 import importlib
 import os
 import sys
+import warnings
 
 from prospect_mj.errors import RenderingUnavailable
 
@@ -83,6 +84,13 @@ def require_gl() -> None:
 
 def _render_probe() -> str:
     """Render an empty scene and read GL_RENDERER from its context."""
+    with warnings.catch_warnings():
+        # GLFW warns of what the exception says anyway.
+        warnings.simplefilter("ignore")
+        return _rendered_by()
+
+
+def _rendered_by() -> str:
     import mujoco
 
     model = mujoco.MjModel.from_xml_string("<mujoco/>")

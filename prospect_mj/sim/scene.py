@@ -9,8 +9,10 @@ from dataclasses import dataclass, field
 import mujoco
 import numpy as np
 from dm_control import mjcf
+from lxml.etree import XMLSyntaxError
 
 from prospect_mj import paths
+from prospect_mj.errors import InvalidModel
 from prospect_mj.sim import fixtures
 from prospect_mj.sim.props import Jar, Props
 
@@ -59,7 +61,7 @@ def compile_scene(settings: SceneSettings) -> mujoco.MjModel:
         MissingFile: if a model or asset file is missing.
     """
     props = settings.props
-    root = mjcf.from_path(str(paths.torso_xml()))
+    root = _torso()
     _options(root, settings)
     _attach_fixtures(root, props)
     jar = root.attach(_jar(props.jar, settings.physics))
@@ -89,8 +91,20 @@ def _lying() -> np.ndarray:
     return np.array([np.cos(np.pi / 4), -np.sin(np.pi / 4), 0.0, 0.0])
 
 
+def _torso() -> mjcf.RootElement:
+    path = paths.torso_xml()
+    try:
+        return mjcf.from_path(str(path))
+    # The parser answers bad XML with lxml's error, and bad MJCF with any of these.
+    except (XMLSyntaxError, ValueError, KeyError, AttributeError) as error:
+        raise InvalidModel(f"{path.name} can't be read: {error}") from error
+
+
 def _compiled(root: mjcf.RootElement) -> mujoco.MjModel:
-    return mujoco.MjModel.from_xml_string(root.to_xml_string(), root.get_assets())
+    try:
+        return mujoco.MjModel.from_xml_string(root.to_xml_string(), root.get_assets())
+    except ValueError as error:
+        raise InvalidModel(f"the scene can't be compiled: {error}") from error
 
 
 def _options(root: mjcf.RootElement, settings: SceneSettings) -> None:
@@ -139,39 +153,13 @@ def _jar(jar: Jar, physics: PhysicsSettings) -> mjcf.RootElement:
     root.asset.add("mesh", name="jar", file=str(paths.jar_obj()))
     root.asset.add("texture", name="jar", type="2d", file=str(paths.jar_png()))
     root.asset.add("material", name="jar", texture="jar", specular=0, shininess=0)
+    seen = {"contype": 0, "conaffinity": 0, "mass": 0, "group": 1}
     root.worldbody.add(
-        "geom",
-        name="visual",
-        type="mesh",
-        mesh="jar",
-        material="jar",
-        contype=0,
-        conaffinity=0,
-        mass=0,
-        group=1,
+        "geom", name="visual", type="mesh", mesh="jar", material="jar", **seen
     )
-    surface = dict(
-        type="cylinder",
-        condim=4,
-        priority=1,
-        friction=jar.friction,
-        solref=physics.solref,
-        solimp=physics.solimp,
-        group=3,
-    )
-    half = jar.length / 2
-    for name, start, end, radius, share in (
-        ("body", -half, half - jar.lid_length, jar.body_radius, 1 - jar.lid_share),
-        ("lid", half - jar.lid_length, half, jar.lid_radius, jar.lid_share),
-    ):
-        root.worldbody.add(
-            "geom",
-            name=name,
-            fromto=[0, 0, start, 0, 0, end],
-            size=[radius],
-            mass=share * jar.mass,
-            **surface,
-        )
+    surface = {"friction": jar.friction, "condim": 4, "priority": 1}
+    surface |= {"solref": physics.solref, "solimp": physics.solimp, "group": 3}
+    fixtures.build_jar(root, jar, surface)
     return root
 
 
@@ -183,7 +171,7 @@ def compile_twin(settings: SceneSettings, fingers: tuple[float, ...]) -> mujoco.
         fingers: proximal angle at which each finger is welded [rad].
     """
     props = settings.props
-    root = mjcf.from_path(str(paths.torso_xml()))
+    root = _torso()
     for section in (root.keyframe, root.actuator, root.sensor):
         for element in list(section.all_children()):
             element.remove()

@@ -31,7 +31,7 @@ def mirrored_range(limits: tuple[float, float], sign: int) -> tuple[float, float
 
 
 def body(parent: ET.Element, name: str, **attributes: str) -> ET.Element:
-    """A body of the robot; WAM and hand carry their own weight (gravcomp)."""
+    """A body, in its parent's frame."""
     return ET.SubElement(parent, "body", name=name, **attributes)
 
 
