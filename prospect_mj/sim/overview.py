@@ -2,7 +2,7 @@
 
 import mujoco
 
-LOOK_AT, DISTANCE, AZIMUTH, ELEVATION = (0.36, 0.10, 0.40), 1.95, 150.0, -22.0
+LOOK_AT, DISTANCE, AZIMUTH, ELEVATION = (0.38, -0.02, 0.40), 1.55, 203.0, -26.0
 
 
 def camera() -> mujoco.MjvCamera:
@@ -23,9 +23,9 @@ def light_for_people(model: mujoco.MjModel, size: tuple[int, int]) -> None:
     look = model.vis
     look.global_.offheight, look.global_.offwidth = size
     look.quality.offsamples, look.quality.shadowsize = 8, 4096
-    look.headlight.ambient[:], look.headlight.diffuse[:] = 0.55, 0.40
+    look.headlight.ambient[:], look.headlight.diffuse[:] = 0.50, 0.30
     # A narrow shadow map is a fine one; a coarse one speckles the arms.
     look.map.shadowscale = 0.4
-    model.light_diffuse[:] *= 0.5
+    model.light_diffuse[:] *= 0.4
     model.geom("table/top").rgba[:3] = 0.52, 0.40, 0.28
     model.geom("table/floor").rgba[:3] = 0.62, 0.64, 0.66
