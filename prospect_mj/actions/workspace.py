@@ -4,13 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from prospect_mj.control.weighing import GRAVITY
 from prospect_mj.sim.props import Props
 
 
 @dataclass(frozen=True)
 class Workspace:
-    """What the robot knows of the task beforehand: sizes and fixed places, no poses of
-    the jar."""  # noqa: D205, D209
+    """What the robot knows of the task beforehand: sizes and fixed places."""
 
     jar_length: float
     """[m]"""
@@ -53,7 +53,7 @@ def workspace(props: Props) -> Workspace:
     """The workspace of a scene."""
     return Workspace(
         jar_length=props.jar.length,
-        jar_weight=props.jar.mass * 9.81,
+        jar_weight=props.jar.mass * GRAVITY,
         well=np.array([*props.well.position, props.well.rim_height]),
         well_depth=props.well.depth,
         # The chamfer slopes at 45 degrees, so it is as high as the lid is wider.

@@ -1,5 +1,7 @@
 """Closed-loop Cartesian motion of one hand: what gross and fine motion share."""
 
+from typing import ClassVar
+
 import mink
 import numpy as np
 
@@ -24,19 +26,22 @@ class CartesianMotion(Controller):
         arm: which arm, and its kinematics.
         target: pose of the grasp site in the world.
         posture: joint angles (7,) [rad] that resolve the redundancy.
-        settings: speed, tolerances and time budget.
         carrying: whether an object must stay in the hand.
+        settings: speed, tolerances and time budget; None = this kind's own.
     """
+
+    DEFAULTS: ClassVar[MotionSettings]
 
     def __init__(
         self,
         arm: ArmControl,
         target: mink.SE3,
         posture: np.ndarray,
-        settings: MotionSettings,
         carrying: bool = False,
+        settings: MotionSettings | None = None,
     ) -> None:
         """Start towards `target`."""
+        settings = self.DEFAULTS if settings is None else settings
         super().__init__(arm.side, settings.time_budget)
         self._arm = arm
         self._servo = HandServo(arm, posture, settings)

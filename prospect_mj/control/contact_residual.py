@@ -70,8 +70,10 @@ def required_friction(positions: np.ndarray, normals: np.ndarray) -> float:
 
 
 def _balance(lines: np.ndarray) -> bool:
-    """Whether positive forces along three concurrent lines can cancel: no two of the
-    (nearly coplanar) lines leave the third in the same half-plane."""  # noqa: D205, D209
+    """Whether positive forces along three (nearly coplanar) lines can cancel.
+
+    They can if going round the plane every next line is less than half a turn away.
+    """
     normal = np.linalg.svd(lines)[2][2]
     turns = [np.cross(lines[i], lines[(i + 1) % 3]) @ normal for i in range(3)]
     return bool(np.all(np.array(turns) > 0) or np.all(np.array(turns) < 0))

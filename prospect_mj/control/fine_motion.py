@@ -2,10 +2,8 @@
 
 from dataclasses import replace
 
-import mink
 import numpy as np
 
-from prospect_mj.control.arm_control import ArmControl
 from prospect_mj.control.cartesian_motion import CartesianMotion
 from prospect_mj.control.hand_servo import MotionSettings
 
@@ -29,13 +27,4 @@ PASSING = replace(
 class FineMotion(CartesianMotion):
     """Position a hand exactly, all six degrees of freedom held."""
 
-    def __init__(
-        self,
-        arm: ArmControl,
-        target: mink.SE3,
-        posture: np.ndarray,
-        carrying: bool = False,
-        settings: MotionSettings = FINE,
-    ) -> None:
-        """Start towards `target`, the redundancy drawn to `posture` (7,) [rad]."""
-        super().__init__(arm, target, posture, settings, carrying)
+    DEFAULTS = FINE

@@ -1,9 +1,5 @@
 """Gross motion: large, quick and coarse movements of a hand, roll left free."""
 
-import mink
-import numpy as np
-
-from prospect_mj.control.arm_control import ArmControl
 from prospect_mj.control.cartesian_motion import CartesianMotion
 from prospect_mj.control.hand_servo import MotionSettings
 
@@ -21,13 +17,4 @@ GROSS = MotionSettings(
 class GrossMotion(CartesianMotion):
     """Reach straight for a pose; mink's limits keep the links clear of everything."""
 
-    def __init__(
-        self,
-        arm: ArmControl,
-        target: mink.SE3,
-        posture: np.ndarray,
-        carrying: bool = False,
-        settings: MotionSettings = GROSS,
-    ) -> None:
-        """Start towards `target`, the redundancy drawn to `posture` (7,) [rad]."""
-        super().__init__(arm, target, posture, settings, carrying)
+    DEFAULTS = GROSS

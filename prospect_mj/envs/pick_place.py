@@ -10,7 +10,12 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from prospect_mj.actions.action import Action, ActionResult
-from prospect_mj.agent.features import FeatureSettings, Holding, StateFeatureGenerator
+from prospect_mj.agent.features import (
+    N_BINS,
+    FeatureSettings,
+    Holding,
+    StateFeatureGenerator,
+)
 from prospect_mj.errors import InvalidChoice, InvalidValue
 from prospect_mj.supervisor.supervisor import Mode
 from prospect_mj.task.pick_place import ObjectPose, PickPlaceTask, TaskSettings
@@ -130,6 +135,7 @@ status of the look: "found", "unsure" or "not_found" |
         self.action_space = spaces.Discrete(len(Action))
         self._orientation: Orientation = ORIENTATIONS[0]
         self._n_actions: int | None = None
+        self._histogram: NDArray[np.int64] = np.zeros(N_BINS, np.int64)
 
     @property
     def model(self) -> mujoco.MjModel:
@@ -152,13 +158,14 @@ status of the look: "found", "unsure" or "not_found" |
         super().reset(seed=seed)
         self._orientation = self._presented(options or {})
         look = self.task.reset(self._orientation, self.np_random)
+        self._histogram = look.histogram
         self._n_actions = 0
         return self._observation(), self._info(False, look.status, 0.0)
 
     def _presented(self, options: dict[str, Any]) -> Orientation:
-        unknown = set(options) - {"orientation"}
-        if unknown:
-            raise InvalidChoice("reset option", min(unknown), ["orientation"])
+        for name in options:
+            if name != "orientation":
+                raise InvalidChoice("reset option", name, ["orientation"])
         if "orientation" in options:
             return checked_orientation(options["orientation"])
         return ORIENTATIONS[int(self.np_random.integers(len(ORIENTATIONS)))]
@@ -173,8 +180,8 @@ status of the look: "found", "unsure" or "not_found" |
             gymnasium.error.ResetNeeded: before the first reset and after the end.
         """
         if self._n_actions is None:
-            raise gymnasium.error.ResetNeeded("call reset before step")
-        if not self.action_space.contains(action):
+            raise gymnasium.error.ResetNeeded("no trial is under way: call reset")
+        if isinstance(action, bool) or not self.action_space.contains(action):
             raise InvalidChoice("action", action, range(len(Action)))
         outcome = self.task.execute(Action(int(action)))
         self._n_actions += 1
@@ -191,8 +198,7 @@ status of the look: "found", "unsure" or "not_found" |
         return self.task.holder or "none"
 
     def _observation(self) -> NDArray[np.float64]:
-        assert self.task.look is not None
-        return self._generator.generate(self.task.look.histogram, self._holding)
+        return self._generator.generate(self._histogram, self._holding)
 
     def _info(
         self, executed: bool, result: str | ActionResult, sim_seconds: float

@@ -41,8 +41,11 @@ PALM_HEIGHT = 0.076
 
 @dataclass(frozen=True)
 class FingerServo:
-    """Worm-driven finger: a stiff position servo whose command stays put is what
-    makes the hand non-backdrivable; ours, not published."""  # noqa: D205, D209
+    """Worm-driven finger; ours, not published.
+
+    A stiff position servo whose command stays put is what makes the hand
+    non-backdrivable.
+    """
 
     stiffness: float = 25.0
     """[N m / rad], both joints."""

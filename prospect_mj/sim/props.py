@@ -34,13 +34,17 @@ class Jar:
         return self.length - self.lid_length
 
 
+PRESENTATION = (0.62, 0.0, 0.20)
+"""Nominal place of the centre of a presented jar [m]; eyes and lamp are aimed at it."""
+
+
 @dataclass(frozen=True)
 class Pedestal:
     """A V-shaped cradle of two 45-degree plates on a post."""
 
-    position: tuple[float, float] = (0.62, 0.0)
+    position: tuple[float, float] = PRESENTATION[:2]
     """Nominal place on the table [m]."""
-    axis_height: float = 0.20
+    axis_height: float = PRESENTATION[2]
     """Nominal height of the axis of a jar that lies in it [m]."""
     half_length: float = 0.014
     """Of the plates along the jar's axis [m]."""
@@ -87,7 +91,7 @@ class Lamp:
     position: tuple[float, float, float] = (0.50, 0.80, 1.20)
     """Of the bulb [m]: clear of what the left arm sweeps, and so high that the waiting
     left hand casts no shadow on the jar."""
-    aim: tuple[float, float, float] = (0.62, 0.0, 0.20)
+    aim: tuple[float, float, float] = PRESENTATION
     """Where the shade points [m]: at the place where objects are presented."""
     cutoff: float = 45.0
     """Half angle of the cone that leaves the shade [degrees]."""

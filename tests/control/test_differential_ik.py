@@ -13,7 +13,7 @@ from prospect_mj.sim.scene import SceneSettings
 
 SIDES = ("left", "right")
 OTHER = {"left": "right", "right": "left"}
-SPEEDS = np.array([1.2, 1.2, 1.6, 1.6, 2.0, 2.0, 2.0])
+SPEEDS = np.array([1.2, 1.2, 1.6, 1.6, 1.8, 1.8, 1.8])
 REFERENCES = (posture.home, posture.presenting, posture.over_well)
 
 

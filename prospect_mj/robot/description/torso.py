@@ -15,10 +15,11 @@ from prospect_mj.robot.description.elements import (
     text,
 )
 from prospect_mj.robot.names import SIDES, Side
+from prospect_mj.sim.props import PRESENTATION
 
 EYE = (0.08, 0.05, 0.85)
 """Position of the left camera [m]; the right one is its reflection."""
-GAZE = (0.62, 0.0, 0.20)
+GAZE = PRESENTATION
 """The fixed point at which both cameras are aimed: the nominal place of the jar."""
 EYE_FOVY = 22.0
 """Vertical field of view [deg]: a fovea on the presentation area."""
