@@ -16,7 +16,10 @@ MAX_FUNCTION_LINES = 40
 CONFINED = {
     "dm_control": ("prospect_mj/sim/scene.py",),
     "gymnasium": ("prospect_mj/envs/",),
-    "matplotlib": ("prospect_mj/experiment/plots.py", "scripts/"),
+    "matplotlib": (
+        "prospect_mj/experiment/plots.py",
+        "prospect_mj/experiment/vision_plots.py",
+    ),
     "rerun": (),
 }
 """Library: the only places that may import it (those of a later issue: nowhere)."""

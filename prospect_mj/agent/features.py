@@ -17,6 +17,7 @@ from typing import Literal, NamedTuple, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from prospect_mj.agent.checks import check_number
 from prospect_mj.errors import InvalidChoice, InvalidValue
 
 N_BINS = 100
@@ -54,8 +55,7 @@ class FeatureSettings:
             raise InvalidChoice(
                 "feature normalisation", self.normalisation, get_args(Normalisation)
             )
-        if not 0 < self.energy <= 100:
-            raise InvalidValue("feature energy", self.energy, "a number in (0, 100]")
+        check_number("feature energy", self.energy, 0, 100, above=True)
 
 
 class FeatureBounds(NamedTuple):

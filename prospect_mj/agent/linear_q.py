@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from prospect_mj.agent import weights_file
+from prospect_mj.agent.checks import check_integer
 from prospect_mj.agent.settings import LearnerSettings
 from prospect_mj.errors import InvalidValue
 
@@ -35,10 +36,14 @@ class LinearQ:
         settings: the learner's parameters.
         weights: theta, (n_actions, n_features); zero at the start.
         n_updates: transitions learned from so far.
+        origin: what the weights were learned in; saved and loaded, never interpreted.
     """
 
-    def __init__(self, settings: LearnerSettings | None = None) -> None:
+    def __init__(
+        self, settings: LearnerSettings | None = None, origin: str = ""
+    ) -> None:
         """Start with every action value at zero."""
+        self.origin = origin
         self.settings = LearnerSettings() if settings is None else settings
         self.weights = np.zeros((self.settings.n_actions, self.settings.n_features))
         self.n_updates = 0
@@ -133,8 +138,14 @@ class LinearQ:
         return error
 
     def save(self, path: str | Path) -> None:
-        """Write weights, settings and update count to `path`, all or nothing."""
-        stored = weights_file.StoredWeights(self.settings, self.weights, self.n_updates)
+        """Write all that the learner remembers to `path`, all or nothing.
+
+        Raises:
+            InvalidValue: if `path` is a folder or in none that exists.
+        """
+        stored = weights_file.StoredWeights(
+            self.settings, self.weights, self.n_updates, self.origin
+        )
         weights_file.write(Path(path), stored)
 
     @classmethod
@@ -145,7 +156,7 @@ class LinearQ:
             InvalidValue: if `path` cannot be read or is not such a file.
         """
         stored = weights_file.read(Path(path))
-        learner = cls(stored.settings)
+        learner = cls(stored.settings, stored.origin)
         learner.weights[:] = stored.weights
         learner.n_updates = stored.n_updates
         return learner
@@ -167,8 +178,8 @@ class LinearQ:
 
     def _check_action(self, action: int) -> None:
         # A negative index would silently count from the end.
-        if not 0 <= action < self.settings.n_actions:
-            raise InvalidValue("action", action, f"0 to {self.settings.n_actions - 1}")
+        plain = int(action) if isinstance(action, np.integer) else action
+        check_integer("action", plain, 0, self.settings.n_actions - 1)
 
     def _allowed_actions(self, allowed: ArrayLike | None) -> NDArray[np.intp]:
         """Indices of the allowed actions, ascending."""

@@ -2,7 +2,9 @@
 
 from dataclasses import dataclass
 
-from prospect_mj.errors import InvalidValue
+from prospect_mj.agent.checks import check_integer, check_number
+
+_MOST = 1_000_000
 
 
 @dataclass(frozen=True)
@@ -22,13 +24,8 @@ class LearnerSettings:
 
     def __post_init__(self) -> None:
         """Refuse numbers outside of their range."""
-        if not 0 < self.step_size <= 10:
-            raise InvalidValue("step size", self.step_size, "a number in (0, 10]")
-        if not 0 <= self.epsilon <= 1:
-            raise InvalidValue("epsilon", self.epsilon, "a number in [0, 1]")
-        if not 0 <= self.discount <= 1:
-            raise InvalidValue("discount", self.discount, "a number in [0, 1]")
-        if self.n_actions < 1:
-            raise InvalidValue("number of actions", self.n_actions, "at least 1")
-        if self.n_features < 1:
-            raise InvalidValue("number of features", self.n_features, "at least 1")
+        check_number("step size", self.step_size, 0, 10, above=True)
+        check_number("epsilon", self.epsilon, 0, 1)
+        check_number("discount", self.discount, 0, 1)
+        check_integer("number of actions", self.n_actions, 1, _MOST)
+        check_integer("number of features", self.n_features, 1, _MOST)

@@ -5,6 +5,11 @@ import os
 from pathlib import Path
 
 
+def temporary(path: Path) -> Path:
+    """The name that the content of `path` has before it is whole."""
+    return path.with_name(f".{path.name}.tmp")
+
+
 def replace_file(path: Path, content: bytes) -> None:
     """Write `content` to `path` in one step that cannot be seen half done.
 
@@ -16,14 +21,14 @@ def replace_file(path: Path, content: bytes) -> None:
         path: file to create or replace; its folder must exist.
         content: the whole new content [bytes].
     """
-    temporary = path.with_name(f".{path.name}.tmp")
+    unfinished = temporary(path)
     try:
-        with temporary.open("wb") as stream:
+        with unfinished.open("wb") as stream:
             stream.write(content)
             stream.flush()
             os.fsync(stream.fileno())
-        temporary.replace(path)
+        unfinished.replace(path)
     except BaseException:
         with contextlib.suppress(OSError):
-            temporary.unlink()
+            unfinished.unlink()
         raise

@@ -27,10 +27,18 @@ class StoredWeights(NamedTuple):
     """theta, (n_actions, n_features)."""
     n_updates: int
     """Transitions learned from so far."""
+    origin: str
+    """What they were learned in, in the words of whoever saves them."""
 
 
 def write(path: Path, stored: StoredWeights) -> None:
-    """Write `stored` to `path`, all or nothing; equal content gives equal bytes."""
+    """Write `stored` to `path`, all or nothing; equal content gives equal bytes.
+
+    Raises:
+        InvalidValue: if `path` is a folder or in none that exists.
+    """
+    if path.is_dir() or not path.parent.is_dir():
+        raise InvalidValue("weights file", str(path), "a file in a folder that exists")
     buffer = io.BytesIO()
     np.savez(
         buffer,
@@ -38,6 +46,7 @@ def write(path: Path, stored: StoredWeights) -> None:
         settings=np.array(json.dumps(asdict(stored.settings))),
         weights=stored.weights,
         n_updates=np.array(stored.n_updates, dtype=np.int64),
+        origin=np.array(stored.origin),
     )
     replace_file(path, buffer.getvalue())
 
@@ -77,4 +86,5 @@ def _decoded(archive: dict[str, NDArray]) -> StoredWeights:
         raise ValueError(weights.shape)
     if not np.isfinite(weights).all():
         raise ValueError("weights that are not finite")
-    return StoredWeights(settings, weights, int(archive["n_updates"]))
+    n_updates, origin = int(archive["n_updates"]), str(archive["origin"])
+    return StoredWeights(settings, weights, n_updates, origin)

@@ -11,7 +11,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Measure as the command line says, and print the figures.
 
     Returns:
-        The exit code: 0, or 2 for input that can't be used.
+        The exit code: 0, 2 for input that can't be used, 1 for any other failure.
     """
     arguments = sys.argv[1:] if argv is None else argv
 

@@ -2,20 +2,27 @@
 
 import contextlib
 import io
+import operator
+import os
 import re
 import sys
 from collections.abc import Callable, Sequence
+from itertools import dropwhile, takewhile
 from typing import TypeVar
 
 import tyro
 
-from prospect_mj.errors import ProspectError
+from prospect_mj.errors import ProspectError, SimulationDiverged
 
+FAILED = 1
 BAD_INPUT = 2
 INTERRUPTED = 130
 
 _Options = TypeVar("_Options")
 _ESCAPE = re.compile(r"\x1b\[[0-9;]*m")
+# What tyro puts before an option or before a dataclass's own words.
+_PARSING = re.compile(r"^Error parsing (?:[A-Za-z_][\w.]*: )?")
+_RULE = re.compile(r"-{4,}")
 _FRAME = "╭╮╰╯│─ \t"
 
 
@@ -54,22 +61,54 @@ def parse(
         raise BadOptions(_first_section(drawn.getvalue())) from None
 
 
-def run(command: Callable[[], None]) -> int:
-    """Run a command and return the exit code; failures print one line on stderr."""
+def run(command: Callable[[], None], interrupted: str = "interrupted") -> int:
+    """Run a command; failures print one line on stderr.
+
+    Args:
+        command: what to run.
+        interrupted: what to tell a user who stops it.
+
+    Returns:
+        The exit code: 0; 1 if the machine or the physics failed; 2 for input that
+        can't be used; 130 if the user stopped it.
+    """
     try:
-        command()
+        try:
+            command()
+        finally:
+            # Here and not at the end of the process, where nothing could catch it.
+            sys.stdout.flush()
     except KeyboardInterrupt:
-        print("interrupted: all finished trials are kept", file=sys.stderr)
+        print(interrupted, file=sys.stderr)
         return INTERRUPTED
+    except BrokenPipeError:
+        _discard_output()
+        return FAILED
     except (ProspectError, OSError) as error:
         print(f"error: {' '.join(str(error).split())}", file=sys.stderr)
-        return BAD_INPUT
+        return _exit_code(error)
     return 0
 
 
+def _exit_code(error: Exception) -> int:
+    """A missing model file is both kinds of error; it counts as input."""
+    bad_input = isinstance(error, ProspectError)
+    bad_input = bad_input and not isinstance(error, SimulationDiverged)
+    return BAD_INPUT if bad_input else FAILED
+
+
+def _discard_output() -> None:
+    """Nobody reads on; Python would complain of that at the end of the process."""
+    with contextlib.suppress(OSError, ValueError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())
+        os.close(nowhere)
+
+
 def _first_section(box: str) -> str:
-    """The text of a box down to its first rule, without the frame."""
+    """The text of a box below its title, down to the next rule, without the frame."""
     lines = [line.strip(_FRAME) for line in _ESCAPE.sub("", box).splitlines()]
-    text = lines[1:]
-    until = text.index("") if "" in text else len(text)
-    return " ".join(text[:until])
+    # Where the terminal has no box characters, a rule is dashes, also below the title.
+    ruled = ["" if _RULE.fullmatch(line) else line for line in lines[1:]]
+    text = dropwhile(operator.not_, ruled)
+    return _PARSING.sub("", " ".join(takewhile(bool, text)))

@@ -37,7 +37,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run the study as the command line says, and print its tables.
 
     Returns:
-        The exit code: 0, or 2 for input that can't be used.
+        The exit code: 0, 2 for input that can't be used, 1 for any other failure.
     """
     arguments = sys.argv[1:] if argv is None else argv
 

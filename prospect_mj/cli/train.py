@@ -43,10 +43,13 @@ def main(
         make_env: makes the environment.
 
     Returns:
-        The exit code: 0, or 2 for input that can't be used.
+        The exit code; see `command_line.run`.
     """
     arguments = sys.argv[1:] if argv is None else argv
-    return command_line.run(lambda: _train(arguments, make_env))
+    return command_line.run(
+        lambda: _train(arguments, make_env),
+        interrupted="interrupted: all finished trials are kept",
+    )
 
 
 def _train(argv: Sequence[str], make_env: MakeEnvironment) -> None:

@@ -52,7 +52,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Show what the command line asks for.
 
     Returns:
-        The exit code: 0, or 2 for input that can't be used.
+        The exit code: 0, 2 for input that can't be used, 1 for any other failure.
     """
     arguments = sys.argv[1:] if argv is None else argv
 

@@ -4,11 +4,14 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from typing import Any, Literal, Self, get_args
 
+from prospect_mj.agent.checks import check_integer
 from prospect_mj.agent.features import N_FEATURES, FeatureSettings
 from prospect_mj.agent.settings import LearnerSettings
 from prospect_mj.errors import InvalidChoice, InvalidValue, ProspectError
 from prospect_mj.experiment.records import ACTION_NAMES
 
+# As `task` and `supervisor` have them, without their imports of the physics: a
+# mistyped option should not have to wait for these.
 Orientation = Literal["left", "right"]
 Supervisor = Literal["none", "safe", "productive"]
 ObjectPose = Literal["vision", "truth"]
@@ -47,20 +50,21 @@ class TrainConfig:
 
     def __post_init__(self) -> None:
         """Refuse every number and choice that makes no run."""
-        _check_integer("trials", self.trials, 1, _MOST_TRIALS)
-        _check_integer("pretraining trials", self.pretrain, 0, self.trials)
-        _check_integer("seed", self.seed, 0, _LARGEST_SEED)
-        _check_integer("actions per trial", self.max_actions, 1, 1000)
+        check_integer("trials", self.trials, 1, _MOST_TRIALS)
+        check_integer("pretraining trials", self.pretrain, 0, self.trials)
+        check_integer("seed", self.seed, 0, _LARGEST_SEED)
+        check_integer("actions per trial", self.max_actions, 1, 1000)
         _check_choice("dominant hand", self.dominant, Orientation)
         _check_choice("supervisor", self.supervisor, Supervisor)
         _check_choice("object pose", self.object_pose, ObjectPose)
+        if not isinstance(self.bootstrap_at_truncation, bool):
+            raise InvalidValue(
+                "bootstrap at truncation", self.bootstrap_at_truncation, "true or false"
+            )
+        sizes = self.learner
         n_actions = len(ACTION_NAMES)
-        _check_integer(
-            "number of actions", self.learner.n_actions, n_actions, n_actions
-        )
-        _check_integer(
-            "number of features", self.learner.n_features, N_FEATURES, N_FEATURES
-        )
+        check_integer("number of actions", sizes.n_actions, n_actions, n_actions)
+        check_integer("number of features", sizes.n_features, N_FEATURES, N_FEATURES)
 
     def as_dict(self) -> dict[str, Any]:
         """Plain nested dictionary, the inverse of `from_dict`."""
@@ -90,12 +94,6 @@ class TrainConfig:
     def with_trials(self, trials: int) -> Self:
         """The same run, longer or shorter."""
         return replace(self, trials=trials)
-
-
-def _check_integer(what: str, value: int, least: int, most: int) -> None:
-    expected = str(least) if least == most else f"an integer from {least} to {most}"
-    if not isinstance(value, int) or not least <= value <= most:
-        raise InvalidValue(what, value, expected)
 
 
 def _check_choice(what: str, value: str, choices: object) -> None:

@@ -1,5 +1,6 @@
-"""config.yaml: what a run is and which software made it."""
+"""config.yaml: what a run is, and which software and model files made it."""
 
+import json
 import platform
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -8,7 +9,10 @@ import yaml
 
 from prospect_mj.agent.storage import replace_file
 from prospect_mj.errors import ProspectError, RunFolderError
+from prospect_mj.experiment import fingerprint
 from prospect_mj.experiment.config import TrainConfig
+
+NAME = "config.yaml"
 
 _FORMAT = 1
 
@@ -33,10 +37,12 @@ def installed_versions() -> dict[str, str]:
 
 
 def write(path: Path, config: TrainConfig) -> None:
-    """Write `config` and the installed versions, all or nothing."""
+    """Write `config`, its digests and the installed versions, all or nothing."""
     content = {
         "prospect_mj_run": _FORMAT,
-        "config": config.as_dict(),
+        # By way of JSON, as YAML knows no number that is only derived from float.
+        "config": json.loads(json.dumps(config.as_dict())),
+        "sha256": fingerprint.digests(config),
         "versions": installed_versions(),
         "platform": {
             "python": platform.python_version(),
@@ -51,7 +57,8 @@ def read(path: Path) -> TrainConfig:
     """Read a configuration that this software can continue exactly.
 
     Raises:
-        RunFolderError: if the file is unreadable, foreign, or of other versions.
+        RunFolderError: if the file is unreadable, foreign, edited, or of other
+            versions or model files.
     """
     content = _parsed(path)
     if not isinstance(content, dict) or content.get("prospect_mj_run") != _FORMAT:
@@ -59,9 +66,11 @@ def read(path: Path) -> TrainConfig:
     try:
         config = TrainConfig.from_dict(content["config"])
         stored = dict(content["versions"])
+        sha256 = dict(content["sha256"])
     except (ProspectError, KeyError, TypeError, ValueError) as error:
         raise RunFolderError(f"{path} is damaged: {error}") from error
     _check_versions(path, stored)
+    _check_digests(path, sha256, config)
     return config
 
 
@@ -79,6 +88,17 @@ def _check_versions(path: Path, stored: dict[str, str]) -> None:
                 f"{path} was made with {package} {stored.get(package)}, "
                 f"{installed} is installed: the run can't be continued exactly"
             )
+
+
+def _check_digests(path: Path, stored: dict[str, str], config: TrainConfig) -> None:
+    for name, present in fingerprint.digests(config).items():
+        if stored.get(name) != present:
+            changed = (
+                "its settings were edited"
+                if name == fingerprint.CONFIGURATION
+                else f"{name} has changed since the run began"
+            )
+            raise RunFolderError(f"{path}: {changed}; the run can't be continued")
 
 
 def _version(package: str) -> str:

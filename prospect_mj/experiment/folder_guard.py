@@ -4,7 +4,9 @@ import fcntl
 import os
 from pathlib import Path
 
+from prospect_mj.agent import storage
 from prospect_mj.errors import RunFolderError
+from prospect_mj.experiment import config_file
 
 DEFAULT_PARENT = Path("runs")
 
@@ -18,7 +20,7 @@ def check_free(path: Path) -> None:
     try:
         if path.exists() and not path.is_dir():
             raise RunFolderError(f"{path} is not a folder")
-        if path.exists() and any(path.iterdir()):
+        if path.exists() and not _is_empty(path):
             raise RunFolderError(
                 f"{path} is not empty; choose another folder, or --resume {path}"
             )
@@ -28,6 +30,12 @@ def check_free(path: Path) -> None:
         raise RunFolderError(f"{path} can't be read: {error.strerror}") from error
     if not nearest.is_dir() or not os.access(nearest, os.W_OK):
         raise RunFolderError(f"{path} can't be made: {nearest} can't be written to")
+
+
+def _is_empty(path: Path) -> bool:
+    """Whether nothing is there, or no more than a run that was killed at its birth."""
+    unborn = storage.temporary(path / config_file.NAME)
+    return all(file == unborn for file in path.iterdir())
 
 
 def new_default() -> Path:

@@ -5,6 +5,8 @@ from numpy.typing import ArrayLike, NDArray
 
 BLOCK = 10
 """Trials per point of the paper's figure 5."""
+WINDOW = 50
+"""Trials of the means that describe a single run."""
 OPTIMUM = 2
 """Actions of a solved trial without a wasted one: a grasp and an insertion."""
 NEAR_OPTIMAL = 2.4
@@ -63,7 +65,7 @@ def near_optimal_trial(means: ArrayLike, smoothing: int = 3) -> int | None:
     return first * BLOCK
 
 
-def first_near_optimal_window(n_actions: ArrayLike, window: int = 50) -> int | None:
+def first_near_optimal_window(n_actions: ArrayLike, window: int = WINDOW) -> int | None:
     """First of the first `window` successive trials with a near-optimal mean.
 
     The measure for a single run, whose noise would break any "and stays so".

@@ -1,4 +1,4 @@
-"""Pictures of results; the only module that draws."""
+"""Pictures of a run."""
 
 import io
 
@@ -12,12 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 from prospect_mj.experiment.learning_curve import (
     BLOCK,
     OPTIMUM,
+    WINDOW,
     block_means,
     moving_mean,
 )
-
-WINDOW = 50
-"""Trials of the moving mean."""
 
 _DOTS = "#9db8d2"
 _LINE = "#1f4e79"
@@ -50,7 +48,7 @@ def learning_curve(
     _draw_legend(axes)
     if pretrain:
         _draw_pretraining(axes, min(pretrain, len(actions)), max_actions)
-    return _png(figure)
+    return png(figure)
 
 
 def _frame(axes: Axes, n_trials: int, max_actions: int, title: str) -> None:
@@ -129,7 +127,8 @@ def _draw_pretraining(axes: Axes, pretrain: int, max_actions: int) -> None:
     )
 
 
-def _png(figure: Figure) -> bytes:
+def png(figure: Figure) -> bytes:
+    """Encode a figure; equal figures give equal bytes."""
     stream = io.BytesIO()
     FigureCanvasAgg(figure).print_png(stream)
     return stream.getvalue()

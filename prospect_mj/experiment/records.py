@@ -39,7 +39,7 @@ class ActionRecord:
     sim_seconds: float
     """Simulated duration [s]."""
     inserted: bool
-    """Whether the jar is in the well, lid first, afterwards."""
+    """Whether the jar stands in the well, base first, afterwards."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ class TrialRecord:
     solved: bool
     """Whether the jar was inserted."""
     sim_seconds: float
-    """Simulated duration, presentation included [s]."""
+    """Simulated duration of its actions [s]."""
 
 
 # "element" is Parquet's name, so that a table read back is written in the same bytes.

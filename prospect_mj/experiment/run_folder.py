@@ -1,6 +1,6 @@
 """The folder of a training run, which survives being killed at any moment.
 
-    config.yaml         settings, and the versions of what decides the numbers
+    config.yaml         settings, versions and digests of what decides the numbers
     actions.parquet     one row per action (`records.ActionRecord`)
     trials.parquet      one row per trial (`records.TrialRecord`)
     weights.npz         what `LinearQ.load` reads
@@ -8,7 +8,9 @@
 
 Every file is replaced as a whole. After each trial the tables come first and the
 weights last: they count the actions learned from, so rows beyond that count belong to a
-trial that was not finished and is run again, with the same outcome.
+trial that was not finished and is run again, with the same outcome. The configuration
+comes before all others, so that a kill at any moment leaves nothing or a run that can
+be resumed. All of them but the picture carry the digest of the run.
 """
 
 import os
@@ -19,12 +21,13 @@ from types import TracebackType
 from typing import Self, TypeVar
 
 import numpy as np
+import pyarrow as pa
 from pyarrow.lib import ArrowException
 
 from prospect_mj.agent import LinearQ
 from prospect_mj.agent.storage import replace_file
 from prospect_mj.errors import ProspectError, RunFolderError
-from prospect_mj.experiment import config_file, folder_guard, tables
+from prospect_mj.experiment import config_file, fingerprint, folder_guard, tables
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.records import (
     ACTION_SCHEMA,
@@ -34,7 +37,7 @@ from prospect_mj.experiment.records import (
 )
 from prospect_mj.experiment.training import FinishedTrial
 
-CONFIG = "config.yaml"
+CONFIG = config_file.NAME
 ACTIONS = "actions.parquet"
 TRIALS = "trials.parquet"
 WEIGHTS = "weights.npz"
@@ -59,7 +62,8 @@ class RunFolder:
         self.path = path
         self.config = config
         self._lock = lock
-        self.learner = LinearQ(config.learner)
+        self._origin = fingerprint.origin(config)
+        self.learner = LinearQ(config.learner, self._origin)
         self.actions = ACTION_SCHEMA.empty_table()
         self.trials = TRIAL_SCHEMA.empty_table()
 
@@ -78,9 +82,8 @@ class RunFolder:
             raise _not_writable(path, error) from error
         try:
             folder_guard.check_free(path)
-            folder._write_state()
-            # Last: what has no configuration is not a run.
             config_file.write(path / CONFIG, config)
+            folder._write_state()
         except BaseException as error:
             folder.close()
             if isinstance(error, OSError):
@@ -152,20 +155,35 @@ class RunFolder:
         self.close()
 
     def _write_state(self) -> None:
-        replace_file(self.path / ACTIONS, tables.parquet(self.actions))
-        replace_file(self.path / TRIALS, tables.parquet(self.trials))
+        for name, table in ((ACTIONS, self.actions), (TRIALS, self.trials)):
+            replace_file(self.path / name, tables.parquet(table, self._origin))
         self.learner.save(self.path / WEIGHTS)
 
     def _read_state(self) -> None:
+        if self._was_killed_at_birth():
+            return
         self.learner = _read(self.path / WEIGHTS, LinearQ.load)
-        if self.learner.settings != self.config.learner:
-            raise RunFolderError(f"{self.path / WEIGHTS} is from another configuration")
-        actions = _read(self.path / ACTIONS, partial(tables.read, schema=ACTION_SCHEMA))
-        trials = _read(self.path / TRIALS, partial(tables.read, schema=TRIAL_SCHEMA))
+        if self.learner.origin != self._origin:
+            raise RunFolderError(f"{self.path / WEIGHTS} is from another run")
+        actions = self._read_table(ACTIONS, ACTION_SCHEMA)
+        trials = self._read_table(TRIALS, TRIAL_SCHEMA)
         self.actions = actions.slice(0, self.learner.n_updates)
         n_trials = np.unique(self.actions["trial"].to_numpy()).size
         self.trials = trials.slice(0, n_trials)
         self._check_state()
+
+    def _was_killed_at_birth(self) -> bool:
+        """Whether the files of the state were not all written for the first time."""
+        if (self.path / WEIGHTS).exists():
+            return False
+        schemas = {ACTIONS: ACTION_SCHEMA, TRIALS: TRIAL_SCHEMA}
+        there = [name for name in schemas if (self.path / name).exists()]
+        rows = [self._read_table(name, schemas[name]).num_rows for name in there]
+        return not any(rows)
+
+    def _read_table(self, name: str, schema: pa.Schema) -> pa.Table:
+        reader = partial(tables.read, schema=schema, origin=self._origin)
+        return _read(self.path / name, reader)
 
     def _check_state(self) -> None:
         """The three files must tell of the same trials."""
@@ -175,6 +193,7 @@ class RunFolder:
             self.actions.num_rows != self.learner.n_updates
             or n_actions != self.learner.n_updates
             or numbers != list(range(len(numbers)))
+            or len(numbers) > self.config.trials
         ):
             raise RunFolderError(
                 f"{self.path} is damaged: its tables and weights don't fit together"

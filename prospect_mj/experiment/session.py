@@ -5,9 +5,11 @@ environment (a missing model file, no OpenGL), and only then does the run begin.
 """
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import closing
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment import folder_guard, plots
@@ -24,12 +26,15 @@ from prospect_mj.experiment.training import train
 
 Say = Callable[[str], None]
 
+# A file or a pipe would show the words at the end of the run only.
+_say_at_once = partial(print, flush=True)
+
 
 def start(
     config: TrainConfig,
     out: Path | None = None,
     make_env: MakeEnvironment = make_environment,
-    say: Say = print,
+    say: Say = _say_at_once,
 ) -> Summary:
     """Begin a run and bring it to its end.
 
@@ -56,7 +61,7 @@ def resume(
     path: Path,
     config: TrainConfig,
     make_env: MakeEnvironment = make_environment,
-    say: Say = print,
+    say: Say = _say_at_once,
 ) -> Summary | None:
     """Continue a run exactly where its last finished trial left it.
 
@@ -90,12 +95,23 @@ def _check_same_run(folder: RunFolder, config: TrainConfig) -> None:
             f"{folder.path} has {stored.trials} trials; --trials can only add to them"
         )
     if config != stored.with_trials(config.trials):
-        wanted, had = config.as_dict(), stored.as_dict()
+        wanted, had = _flat(config.as_dict()), _flat(stored.as_dict())
         name = next(key for key in had if key != "trials" and had[key] != wanted[key])
         raise RunFolderError(
             f"{folder.path} is another run: its {name} is {had[name]}, "
             f"not {wanted[name]}"
         )
+
+
+def _flat(settings: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
+    """Nested settings by the names that they have on the command line."""
+    flat: dict[str, Any] = {}
+    for name, value in settings.items():
+        if isinstance(value, Mapping):
+            flat |= _flat(value, f"{prefix}{name}.")
+        else:
+            flat[prefix + name] = value
+    return flat
 
 
 def _finish(folder: RunFolder, env: Environment) -> Summary:

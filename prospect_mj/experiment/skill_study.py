@@ -6,8 +6,10 @@ the wrong way round, hands the jar over, and the first hand inserts it.
 """
 
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
+from typing import TypeVar
 
 import numpy as np
 from joblib import Parallel, delayed
@@ -18,6 +20,8 @@ from prospect_mj.robot.names import Side
 from prospect_mj.sim.audit import Audit, Findings
 from prospect_mj.task.pick_place import PickPlaceTask, TaskSettings
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
+
+_Found = TypeVar("_Found")
 
 _GRASP = {"left": Action.GRASP_LEFT, "right": Action.GRASP_RIGHT}
 _SWAP = {"left": Action.SWAP_LEFT_TO_RIGHT, "right": Action.SWAP_RIGHT_TO_LEFT}
@@ -185,19 +189,26 @@ def skills_in_parallel(
     settings: TaskSettings, n: int, jobs: int = 2, first_seed: int = 0
 ) -> list[SkillRun]:
     """`run_skills` over `n` seeds on several processes."""
-    shares = np.array_split(np.arange(first_seed, first_seed + n), jobs * 8)
-    parts = Parallel(n_jobs=jobs)(
-        delayed(run_skills)(settings, share.tolist()) for share in shares
-    )
-    return [run for part in parts for run in part]
+    seeds = range(first_seed, first_seed + n)
+    return _in_parallel(partial(run_skills, settings), seeds, jobs)
 
 
 def random_policy_in_parallel(
     settings: TaskSettings, n: int, jobs: int = 2, first_seed: int = 0
 ) -> list[PolicyEpisode]:
     """`run_random_policy` over `n` seeds on several processes."""
-    shares = np.array_split(np.arange(first_seed, first_seed + n), jobs * 8)
-    parts = Parallel(n_jobs=jobs)(
-        delayed(run_random_policy)(settings, share.tolist()) for share in shares
-    )
-    return [episode for part in parts for episode in part]
+    seeds = range(first_seed, first_seed + n)
+    return _in_parallel(partial(run_random_policy, settings), seeds, jobs)
+
+
+def _in_parallel(
+    study: Callable[[Sequence[int]], list[_Found]], seeds: Sequence[int], jobs: int
+) -> list[_Found]:
+    """What `study` finds at each of the seeds, in their order.
+
+    A share has several seeds, as each compiles the scene once.
+    """
+    n_shares = min(jobs * 8, len(seeds))
+    shares = np.array_split(np.array(seeds), n_shares)
+    parts = Parallel(n_jobs=jobs)(delayed(study)(share.tolist()) for share in shares)
+    return [found for part in parts for found in part]

@@ -8,12 +8,10 @@ import numpy as np
 
 from prospect_mj.experiment.learning_curve import (
     NEAR_OPTIMAL,
+    WINDOW,
     first_near_optimal_window,
 )
 from prospect_mj.experiment.run_folder import RunFolder
-
-WINDOW = 50
-"""Trials that the means are over."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +44,7 @@ class Summary:
         actions = folder.trials["n_actions"].to_numpy()
         seconds = folder.trials["sim_seconds"].to_numpy()
         pretrain = min(folder.config.pretrain, len(actions))
-        reached = first_near_optimal_window(actions[pretrain:], WINDOW)
+        reached = first_near_optimal_window(actions[pretrain:])
         return cls(
             trials=len(actions),
             pretrain=pretrain,
@@ -63,19 +61,13 @@ class Summary:
         """Lay the figures out for a terminal."""
         window = min(WINDOW, self.trials)
         pretrain = f", {self.pretrain} of them pretraining" if self.pretrain else ""
-        reached = (
-            f"not reached (a mean of {NEAR_OPTIMAL} over {WINDOW} trials)"
-            if self.near_optimal is None
-            else f"trials {self.near_optimal} to {self.near_optimal + WINDOW - 1} are "
-            f"the first {WINDOW} with a mean of {NEAR_OPTIMAL} or less"
-        )
         speed = self.session_sim_seconds / max(self.wall_seconds, 1e-9)
         return "\n".join(
             (
                 f"trials        {self.trials}{pretrain}",
                 f"mean actions  {self.first_mean:.2f} in the first {window} trials, "
                 f"{self.last_mean:.2f} in the last {window}",
-                f"near-optimal  {reached}",
+                f"near-optimal  {self._near_optimal_words()}",
                 f"simulated     {self.sim_seconds:.0f} s; this session "
                 f"{self.session_sim_seconds:.0f} s in {self.wall_seconds:.0f} s of "
                 f"wall time ({speed:.0f} x)",
@@ -83,3 +75,16 @@ class Summary:
                 "trials.parquet, weights.npz, learning_curve.png",
             )
         )
+
+    def _near_optimal_words(self) -> str:
+        if self.near_optimal is not None:
+            last = self.near_optimal + WINDOW - 1
+            return (
+                f"trials {self.near_optimal} to {last} are the first {WINDOW} "
+                f"with a mean of {NEAR_OPTIMAL} or less"
+            )
+        counted = self.trials - self.pretrain
+        if counted < WINDOW:
+            after = " after the pretraining" if self.pretrain else ""
+            return f"not measured: it takes {WINDOW} trials{after}, not {counted}"
+        return f"not reached (a mean of {NEAR_OPTIMAL} over {WINDOW} trials)"

@@ -155,7 +155,6 @@ def _trial_record(
     actions: list[ActionRecord],
 ) -> TrialRecord:
     trial = actions[0].trial
-    moving = sum(action.sim_seconds for action in actions)
     return TrialRecord(
         trial=trial,
         orientation=orientation,
@@ -163,5 +162,5 @@ def _trial_record(
         look=str(first_info["result"]),
         n_actions=len(actions),
         solved=actions[-1].inserted,
-        sim_seconds=float(first_info["sim_seconds"]) + moving,
+        sim_seconds=sum(action.sim_seconds for action in actions),
     )

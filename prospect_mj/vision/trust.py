@@ -33,8 +33,6 @@ def doubt_outlines(left: Silhouette, right: Silhouette, trust: TrustSettings) ->
     areas = sorted((left.area, right.area))
     if left.touches_border or right.touches_border:
         return "the object reaches out of the searched region"
-    if areas[0] < trust.min_area:
-        return "only one eye sees an object"
     if areas[1] > trust.max_area_ratio * areas[0]:
         return f"outlines of {left.area} and {right.area} pixels are not one object's"
     return ""

@@ -157,6 +157,7 @@ def test_bad_input_is_named(histogram, holding, named):
         {"energy": -1.0},
         {"energy": float("nan")},
         {"energy": float("inf")},
+        {"energy": "much"},
     ],
 )
 def test_bad_settings_are_refused(bad):

@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 from scipy.stats import chisquare
 
 from prospect_mj.agent import LearnerSettings, LinearQ
-from prospect_mj.errors import InvalidValue, ProspectError
+from prospect_mj.errors import InvalidValue
 
 SMALL = LearnerSettings(
     step_size=0.1, epsilon=0.2, discount=0.9, n_actions=3, n_features=2
@@ -202,6 +202,8 @@ def use(learner, **changes):
         ({"next_features": [[1, 1]]}, "(1, 2)"),
         ({"action": 3}, "0 to 2"),
         ({"action": -1}, "0 to 2"),
+        ({"action": 1.5}, "action is 1.5; expected an integer from 0 to 2"),
+        ({"action": "left"}, "'left'"),
         ({"reward": np.nan}, "finite"),
         ({"allowed": [1, 1]}, "(2,)"),
         ({"allowed": [0, 0, 0]}, "one action allowed"),
@@ -231,18 +233,29 @@ def test_divergence_is_reported():
 
 
 @pytest.mark.parametrize(
-    "bad",
+    ("setting", "bad", "valid"),
     [
-        {"step_size": 0.0},
-        {"step_size": float("nan")},
-        {"step_size": 11.0},
-        {"epsilon": -0.1},
-        {"epsilon": 1.1},
-        {"discount": 1.01},
-        {"n_actions": 0},
-        {"n_features": 0},
+        ("step_size", 0.0, "a number in (0, 10]"),
+        ("step_size", float("nan"), "a number in (0, 10]"),
+        ("step_size", 11.0, "a number in (0, 10]"),
+        ("step_size", "a", "a number in (0, 10]"),
+        ("epsilon", -0.1, "a number in [0, 1]"),
+        ("epsilon", 1.1, "a number in [0, 1]"),
+        ("epsilon", True, "a number in [0, 1]"),
+        ("discount", 1.01, "a number in [0, 1]"),
+        ("discount", None, "a number in [0, 1]"),
+        ("n_actions", 0, "an integer from 1"),
+        ("n_actions", 2.5, "an integer from 1"),
+        ("n_features", 0, "an integer from 1"),
     ],
 )
-def test_bad_settings_are_refused(bad):
-    with pytest.raises(ProspectError):
-        LearnerSettings(**bad)
+def test_bad_settings_are_refused(setting, bad, valid):
+    with pytest.raises(InvalidValue) as refused:
+        LearnerSettings(**{setting: bad})
+    assert f"is {bad!r}; expected {valid}" in str(refused.value)
+
+
+def test_action_may_be_a_numpy_integer():
+    learner = small_learner()
+    use(learner, action=np.int64(2))
+    assert learner.n_updates == 1

@@ -18,7 +18,7 @@ def learn(learner, n, seed):
 
 @pytest.fixture
 def saved(tmp_path):
-    learner, path = LinearQ(SETTINGS), tmp_path / "weights.npz"
+    learner, path = LinearQ(SETTINGS, "a run"), tmp_path / "weights.npz"
     learn(learner, 30, seed=1)
     learner.save(path)
     return path
@@ -31,6 +31,7 @@ def test_load_and_continue_is_bit_equal_to_never_stopping(saved):
         learn(learner, 30, seed=2)
     assert loaded.settings == SETTINGS
     assert loaded.n_updates == 60
+    assert loaded.origin == "a run"
     assert loaded.weights.tobytes() == never_stopped.weights.tobytes()
 
 
@@ -68,6 +69,7 @@ def rewrite(path, **changes):
         {"weights": np.full((6, 303), np.nan)},
         {"weights": np.array([{"an": "object"}])},
         {"n_updates": np.array([1, 2])},
+        {"origin": None},
     ],
 )
 def test_foreign_archive_is_refused(saved, changes):
@@ -105,6 +107,15 @@ def test_truncated_and_flipped_files_are_refused(saved):
 def test_missing_file_is_refused(tmp_path):
     with pytest.raises(InvalidValue, match="nowhere"):
         LinearQ.load(tmp_path / "nowhere.npz")
+
+
+@pytest.mark.parametrize("name", ["nowhere/weights.npz", "."])
+def test_path_that_no_file_can_have_is_refused(tmp_path, name):
+    path = tmp_path / name
+    with pytest.raises(InvalidValue) as refused:
+        LinearQ().save(path)
+    assert repr(str(path)) in str(refused.value)
+    assert not list(tmp_path.iterdir())
 
 
 def test_failed_write_leaves_the_old_file(tmp_path, monkeypatch):

@@ -1,21 +1,27 @@
 import dataclasses
+import subprocess
+import sys
+from typing import get_args
 
 import pytest
 
 from prospect_mj.agent import FeatureSettings, LearnerSettings
 from prospect_mj.errors import ProspectError
+from prospect_mj.experiment import config
 from prospect_mj.experiment.config import TrainConfig
+from prospect_mj.supervisor import supervisor
+from prospect_mj.task import pick_place, presentation
 
 
 def test_defaults_are_the_papers_run_without_a_dominant_hand():
-    config = TrainConfig()
-    assert (config.trials, config.pretrain, config.max_actions) == (1000, 0, 10)
-    assert (config.supervisor, config.object_pose) == ("none", "vision")
-    assert config.bootstrap_at_truncation
+    run = TrainConfig()
+    assert (run.trials, run.pretrain, run.max_actions) == (1000, 0, 10)
+    assert (run.supervisor, run.object_pose) == ("none", "vision")
+    assert run.bootstrap_at_truncation
 
 
 def test_dictionary_round_trip():
-    config = TrainConfig(
+    run = TrainConfig(
         trials=30,
         pretrain=7,
         dominant="left",
@@ -23,7 +29,7 @@ def test_dictionary_round_trip():
         features=FeatureSettings(reading="one_hot"),
         learner=LearnerSettings(epsilon=0.1),
     )
-    assert TrainConfig.from_dict(config.as_dict()) == config
+    assert TrainConfig.from_dict(run.as_dict()) == run
 
 
 @pytest.mark.parametrize(
@@ -33,6 +39,8 @@ def test_dictionary_round_trip():
         ({"trials": 10**9}, "100000"),
         ({"trials": 2.5}, "2.5"),
         ({"pretrain": -1}, "-1"),
+        ({"pretrain": True}, "pretraining trials is True; expected an integer"),
+        ({"bootstrap_at_truncation": "no"}, "'no'; expected true or false"),
         ({"pretrain": 1001}, "1000"),
         ({"seed": -1}, "-1"),
         ({"max_actions": 0}, "0"),
@@ -64,6 +72,21 @@ def test_foreign_dictionaries_are_refused(change):
     plain = {**TrainConfig().as_dict(), **change}
     with pytest.raises(ProspectError):
         TrainConfig.from_dict(plain)
+
+
+def test_choices_are_those_of_the_task():
+    assert get_args(config.Orientation) == get_args(presentation.Orientation)
+    assert get_args(config.Supervisor) == get_args(supervisor.Mode)
+    assert get_args(config.ObjectPose) == get_args(pick_place.ObjectPose)
+
+
+def test_configuration_is_read_without_the_physics():
+    """What the choices are written twice for."""
+    code = (
+        "import sys, prospect_mj.cli.train as t; t.main(['--trials', '0'], None); "
+        "assert 'mujoco' not in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
 
 
 def test_missing_setting_is_refused():

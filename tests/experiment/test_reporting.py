@@ -56,7 +56,7 @@ def test_summary_of_a_run(tmp_path):
     assert summary.wall_seconds > 0
     text = str(summary)
     assert "60, 20 of them pretraining" in text
-    assert "not reached" in text
+    assert "not measured: it takes 50 trials after the pretraining, not 40" in text
     assert str(tmp_path / "run") in text
 
 
@@ -68,6 +68,19 @@ def test_summary_of_a_resumed_run_counts_its_own_time(tmp_path):
     assert second.session_sim_seconds == pytest.approx(
         second.sim_seconds - first.sim_seconds
     )
+
+
+@pytest.mark.parametrize(
+    ("trials", "pretrain", "said"),
+    [
+        (60, 60, "not measured: it takes 50 trials after the pretraining, not 0"),
+        (49, 0, "not measured: it takes 50 trials, not 49"),
+        (50, 0, "not reached (a mean of 2.4 over 50 trials)"),
+    ],
+)
+def test_summary_tells_failure_from_too_few_trials(trials, pretrain, said):
+    figures = (8.3, 7.0, None, 100.0, 100.0, 1.0, Path("run"))
+    assert f"near-optimal  {said}\n" in str(Summary(trials, pretrain, *figures))
 
 
 def test_summary_names_the_near_optimal_trials():
@@ -92,6 +105,11 @@ def test_progress_on_a_terminal(tmp_path, monkeypatch):
     assert f"mean actions of last 12: {summary.last_mean:.2f}" in last
 
 
-def test_no_progress_without_a_terminal(tmp_path, capsys):
-    train(tmp_path, TrainConfig(trials=3))
-    assert capsys.readouterr().err == ""
+def test_progress_without_a_terminal_is_a_line_every_hundred_trials(tmp_path, capsys):
+    train(tmp_path, TrainConfig(trials=205))
+    with RunFolder.open(tmp_path / "run") as folder:
+        actions = folder.trials["n_actions"].to_numpy()
+    assert capsys.readouterr().err.splitlines() == [
+        f"trial {n} of 205: mean actions of last 50: {actions[n - 50 : n].mean():.2f}"
+        for n in (100, 200)
+    ]

@@ -11,9 +11,10 @@ import pytest
 import yaml
 from ideal_env import IdealEnv
 
+from prospect_mj import paths
 from prospect_mj.agent import LearnerSettings, LinearQ, storage
 from prospect_mj.errors import RunFolderError
-from prospect_mj.experiment import config_file, folder_guard, session
+from prospect_mj.experiment import config_file, fingerprint, folder_guard, session
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.records import ACTION_SCHEMA, TRIAL_SCHEMA
 from prospect_mj.experiment.run_folder import RunFolder
@@ -98,6 +99,22 @@ def kill_at_write(monkeypatch, number, before):
     monkeypatch.setattr(Path, "unlink", lambda *_, **__: None)
 
 
+@pytest.mark.parametrize("write", range(4))
+def test_death_at_birth_leaves_a_folder_that_can_be_used(
+    write, uninterrupted, tmp_path, monkeypatch
+):
+    with monkeypatch.context() as patches:
+        kill_at_write(patches, write, before=True)
+        with pytest.raises(Killed):
+            session.start(CONFIG, tmp_path, make_env, **LAST_WORD)
+    assert any(tmp_path.iterdir())
+    if write == 0:
+        session.start(CONFIG, tmp_path, make_env, **LAST_WORD)
+    else:
+        session.resume(tmp_path, CONFIG, make_env, **LAST_WORD)
+    assert content(tmp_path) == uninterrupted
+
+
 # 4 writes make the folder, 3 more each trial, 1 the curve.
 WRITES = range(4, 4 + 3 * 4 + 1)
 
@@ -177,7 +194,7 @@ def test_run_cannot_be_shortened(tmp_path):
         (TrainConfig(trials=9, pretrain=1, seed=4), "pretrain is 2, not 1"),
         (
             TrainConfig(4, 2, seed=4, learner=LearnerSettings(epsilon=0.5)),
-            "learner",
+            r"its learner\.epsilon is 0\.05, not 0\.5$",
         ),
     ],
 )
@@ -215,15 +232,80 @@ def test_damaged_file_is_named_and_nothing_is_written(
 
 @pytest.mark.parametrize("name", ["actions.parquet", "trials.parquet", "weights.npz"])
 def test_file_of_another_run_is_noticed(name, uninterrupted, tmp_path):
-    other = tmp_path / "other"
-    session.start(TrainConfig(trials=2, seed=99), other, make_env, **LAST_WORD)
-    run = tmp_path / "run"
-    run.mkdir()
-    for file, data in uninterrupted.items():
-        (run / file).write_bytes(data)
+    """Also of a run that took as many actions in as many trials."""
+    run, other = tmp_path / "run", tmp_path / "other"
+    for seed, folder in ((0, run), (99, other)):
+        config = TrainConfig(trials=1, max_actions=1, seed=seed)
+        session.start(config, folder, make_env, **LAST_WORD)
     (run / name).write_bytes((other / name).read_bytes())
-    with pytest.raises(RunFolderError):
-        RunFolder.open(run)
+    before = content(run)
+    with pytest.raises(RunFolderError, match=f"{name} is from another run"):
+        session.resume(run, TrainConfig(trials=1, max_actions=1), make_env)
+    assert content(run) == before
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("energy: 2.4", "energy: 2.5"),
+        ("seed: 4", "seed: 5"),
+        ("pretrain: 2", "pretrain: 1"),
+        ("epsilon: 0.05", "epsilon: 0.06"),
+        ("bootstrap_at_truncation: true", "bootstrap_at_truncation: false"),
+    ],
+)
+@pytest.mark.parametrize("digests_too", [False, True])
+def test_edited_configuration_is_refused(
+    old, new, digests_too, uninterrupted, tmp_path
+):
+    for file, data in uninterrupted.items():
+        (tmp_path / file).write_bytes(data)
+    path = tmp_path / "config.yaml"
+    text = path.read_text()
+    assert text.count(old) == 1
+    stored = yaml.safe_load(text.replace(old, new))
+    edited = TrainConfig.from_dict(stored["config"])
+    if digests_too:
+        stored["sha256"] = fingerprint.digests(edited)
+    path.write_text(yaml.safe_dump(stored))
+    before = content(tmp_path)
+    named = "another run" if digests_too else "settings were edited"
+    with pytest.raises(RunFolderError, match=named):
+        session.resume(tmp_path, edited.with_trials(9), make_env)
+    assert content(tmp_path) == before
+
+
+@pytest.mark.parametrize(
+    ("function", "name"),
+    [
+        ("torso_xml", "models/torso.xml"),
+        ("jar_obj", "assets/jar.obj"),
+        ("jar_png", "assets/jar.png"),
+    ],
+)
+def test_changed_model_file_is_refused(function, name, tmp_path, monkeypatch):
+    run, copy = tmp_path / "run", tmp_path / "copy"
+    session.start(CONFIG, run, make_env, **LAST_WORD)
+    before = content(run)
+    copy.write_bytes(getattr(paths, function)().read_bytes())
+    files = {**fingerprint._MODEL_FILES, name: lambda: copy}
+    monkeypatch.setattr(fingerprint, "_MODEL_FILES", files)
+    RunFolder.open(run).close()
+    copy.write_bytes(copy.read_bytes() + b" ")
+    with pytest.raises(RunFolderError, match=f"{name} has changed"):
+        session.resume(run, CONFIG.with_trials(9), make_env)
+    assert content(run) == before
+
+
+def test_configuration_with_fewer_trials_than_were_run_is_refused(
+    uninterrupted, tmp_path
+):
+    for file, data in uninterrupted.items():
+        (tmp_path / file).write_bytes(data)
+    path = tmp_path / "config.yaml"
+    path.write_text(path.read_text().replace("trials: 4", "trials: 3"))
+    with pytest.raises(RunFolderError, match="don't fit together"):
+        RunFolder.open(tmp_path)
 
 
 def test_table_with_other_columns_is_refused(uninterrupted, tmp_path):
@@ -244,6 +326,13 @@ def test_other_versions_are_refused(uninterrupted, tmp_path):
     path.write_text(yaml.safe_dump(stored))
     with pytest.raises(RunFolderError, match=r"mujoco 1\.0"):
         RunFolder.open(tmp_path)
+
+
+def test_configuration_may_hold_numpy_floats(tmp_path):
+    learner = LearnerSettings(epsilon=np.float64(0.1))
+    config = TrainConfig(trials=1, learner=learner)
+    session.start(config, tmp_path, make_env, **LAST_WORD)
+    assert config_file.read(tmp_path / "config.yaml") == config
 
 
 def test_foreign_yaml_is_refused(tmp_path):

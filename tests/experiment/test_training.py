@@ -80,7 +80,7 @@ def test_records_tell_the_trial():
         assert trial.solved == actions[-1].inserted
         assert trial.solved or trial.n_actions == 10
         assert trial.look == "seen"
-        assert trial.sim_seconds == pytest.approx(0.1 + 1.5 * trial.n_actions)
+        assert trial.sim_seconds == pytest.approx(1.5 * trial.n_actions)
         assert all(
             action.action_name == ACTION_NAMES[action.action] for action in actions
         )

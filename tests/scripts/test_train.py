@@ -78,7 +78,7 @@ BAD = {
     "--resume file": "file is not a run folder",
     "--resume run --out new": "new",
     "--resume run --seed 2": "seed is 1, not 2",
-    "--resume run --learner.epsilon 0.5": "learner",
+    "--resume run --learner.epsilon 0.5": "learner.epsilon is 0.05, not 0.5",
     "--resume run --trials 2": "3 trials",
     "--resume run --supervisor safe": "supervisor",
 }
@@ -92,7 +92,40 @@ def test_bad_input_is_one_line_and_changes_nothing(options, named, existing, cap
     assert said.out == ""
     assert said.err.startswith("error: ")
     assert said.err.count("\n") == 1
+    assert "parsing" not in said.err
     assert named in said.err
+    assert tree(existing) == before
+
+
+EDITED = {
+    "energy: 2.4": "energy: 3.0",
+    "seed: 1": "seed: 2",
+    "supervisor: none": "supervisor: safe",
+}
+
+
+@pytest.mark.parametrize(("old", "new"), EDITED.items())
+@pytest.mark.parametrize("options", ["--resume run", "--resume run --trials 5"])
+def test_edited_configuration_is_one_line_and_changes_nothing(
+    old, new, options, existing, capsys
+):
+    path = existing / "run" / "config.yaml"
+    path.write_text(path.read_text().replace(old, new))
+    before = tree(existing)
+    assert train.main(options.split(), IdealEnv) == 2
+    said = capsys.readouterr()
+    assert said.err.startswith("error: run/config.yaml: its settings were edited")
+    assert said.err.count("\n") == 1
+    assert tree(existing) == before
+
+
+def test_weights_of_another_run_are_one_line_and_change_nothing(existing, capsys):
+    assert train.main(["--trials", "3", "--seed", "2", "--out", "b"], IdealEnv) == 0
+    shutil.copy(existing / "b" / "weights.npz", existing / "run")
+    before = tree(existing)
+    capsys.readouterr()
+    assert train.main(["--resume", "run", "--trials", "5"], IdealEnv) == 2
+    assert capsys.readouterr().err == "error: run/weights.npz is from another run\n"
     assert tree(existing) == before
 
 

@@ -1,0 +1,46 @@
+"""Checks of settings: what passes is a number of the right kind and range.
+
+Python's numbers only, as settings are written to JSON and YAML, which know no others.
+"""
+
+import math
+
+from prospect_mj.errors import InvalidValue
+
+
+def check_integer(what: str, value: object, least: int, most: int) -> None:
+    """Refuse all but an integer in a range; true and false are none.
+
+    Raises:
+        InvalidValue: with the range.
+    """
+    integer = isinstance(value, int) and not isinstance(value, bool)
+    if not integer or not least <= value <= most:
+        expected = str(least) if least == most else f"an integer from {least} to {most}"
+        raise InvalidValue(what, value, expected)
+
+
+def check_number(
+    what: str, value: object, least: float, most: float, above: bool = False
+) -> None:
+    """Refuse all but a finite number in a range.
+
+    Args:
+        what: name of the setting.
+        value: what it was set to.
+        least: smallest valid number, or what all must lie above.
+        most: largest valid number.
+        above: whether `least` itself is invalid.
+
+    Raises:
+        InvalidValue: with the range.
+    """
+    if (
+        not isinstance(value, int | float)
+        or isinstance(value, bool)
+        or not math.isfinite(value)
+        or not least <= value <= most
+        or (above and value == least)
+    ):
+        bracket = "(" if above else "["
+        raise InvalidValue(what, value, f"a number in {bracket}{least}, {most}]")
