@@ -184,8 +184,8 @@ def _collision_limit(
     fixtures = [
         model.geom(i).name
         for i in range(model.ngeom)
-        if model.geom(i).name.startswith((f"{LAMP}/", f"{PEDESTAL}/", f"{WELL}/wall"))
-    ] + [f"{TABLE}/top"]
+        if model.geom(i).name.startswith((f"{PEDESTAL}/", f"{WELL}/wall"))
+    ] + [f"{LAMP}/shade", f"{TABLE}/top"]
     body = _geoms(twin, "trunk", "head")
     return _ActiveCollisionLimit(
         model,

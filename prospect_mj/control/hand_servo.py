@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import mink
+import mujoco
 import numpy as np
 
 from prospect_mj.control.arm_control import ArmControl
@@ -67,9 +68,7 @@ class HandServo:
 
     def error(self, target: mink.SE3) -> PoseError:
         """How far the hand is from `target`, roll left out where it is free."""
-        pose = self._arm.grasp_pose()
-        offset = target.translation() - pose.translation()
-        turn = (pose.rotation().inverse() @ target.rotation()).log()
+        offset, turn = _difference(self._arm.grasp_pose(), target)
         if self._settings.free_roll:
             turn[2] = 0.0
         return PoseError(float(np.linalg.norm(offset)), float(np.linalg.norm(turn)))
@@ -99,14 +98,20 @@ class HandServo:
         self._ticks += 1
         ramp = self._ticks * CONTROL_PERIOD / self._settings.ramp_time
         reach = min(1.0, ramp) * CONTROL_PERIOD / self._arm.ik.settings.gain
-        offset = target.translation() - pose.translation()
-        turn = (pose.rotation().inverse() @ target.rotation()).log()
-        offset = _shortened(offset, self._settings.speed * reach)
+        offset, turn = _difference(pose, target)
+        near = pose.wxyz_xyz.copy()
         turn = _shortened(turn, self._settings.turn_speed * reach)
-        rotation = pose.rotation() @ mink.SO3.exp(turn)
-        return mink.SE3.from_rotation_and_translation(
-            rotation, pose.translation() + offset
-        )
+        mujoco.mju_quatIntegrate(near[:4], turn, 1.0)
+        near[4:] += _shortened(offset, self._settings.speed * reach)
+        return mink.SE3(wxyz_xyz=near)
+
+
+def _difference(pose: mink.SE3, target: mink.SE3) -> tuple[np.ndarray, np.ndarray]:
+    """Offset (3,) [m] in the world and turn (3,) [rad] in the hand that remain."""
+    # MuJoCo's own quaternion calculus: these run in every control period.
+    turn = np.empty(3)
+    mujoco.mju_subQuat(turn, target.wxyz_xyz[:4], pose.wxyz_xyz[:4])
+    return target.wxyz_xyz[4:] - pose.wxyz_xyz[4:], turn
 
 
 def _shortened(vector: np.ndarray, length: float) -> np.ndarray:
