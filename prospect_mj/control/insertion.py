@@ -123,7 +123,6 @@ class InsertionController(ProceduralController):
             self._deepest > floor and self._supported(own)
         ):
             travelled = self._travelled()
-            self._deepest = max(self._deepest, travelled)
             advanced = travelled > mark + settings.progress
             mark = travelled if advanced else mark
             idle = 0.0 if advanced else idle + CONTROL_PERIOD
@@ -133,6 +132,7 @@ class InsertionController(ProceduralController):
             reference = self._ahead(reference, travelled, speed, float(force[2]))
             below = self._below(reference)
             own = yield Targets(joints=self._servo.step(own, below, windup))
+            self._deepest = max(self._deepest, self._travelled())
         return own
 
     def _pace(self, travelled: float) -> tuple[float, float]:

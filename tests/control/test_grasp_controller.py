@@ -39,7 +39,7 @@ def test_probing_brings_the_residual_of_an_offset_hand_below_threshold(
 
 
 @pytest.mark.parametrize("side", SIDES)
-@pytest.mark.parametrize("tilt", [-0.2, 0.2])
+@pytest.mark.parametrize("tilt", [-0.2, -0.15, 0.15, 0.2])
 def test_probing_takes_back_a_tilt(rig, side, tilt):
     rig.present(lid=side)
     round_the_jar(rig, side, tilt=tilt)
@@ -49,7 +49,8 @@ def test_probing_takes_back_a_tilt(rig, side, tilt):
     assert result.residual < THRESHOLD
     palm = rig.data.site(names.grasp_site(side)).xmat.reshape(3, 3)[:, 2]
     off = angle_between(palm, rig.simulation.jar_axis)
-    assert min(off, np.pi - off) < abs(tilt) / 2
+    # rho_m = (3/2) tilt, so this is the most that the threshold on eps lets pass.
+    assert min(off, np.pi - off) < np.sqrt(THRESHOLD) / 1.5
 
 
 @pytest.mark.parametrize("side", SIDES)
