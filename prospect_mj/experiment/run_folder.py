@@ -17,7 +17,6 @@ import os
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from types import TracebackType
 from typing import Self, TypeVar
 
 import numpy as np
@@ -26,6 +25,7 @@ from pyarrow.lib import ArrowException
 
 from prospect_mj.agent import LinearQ
 from prospect_mj.agent.storage import replace_file
+from prospect_mj.closing import Closing
 from prospect_mj.errors import ProspectError, RunFolderError
 from prospect_mj.experiment import config_file, fingerprint, folder_guard, tables
 from prospect_mj.experiment.config import TrainConfig
@@ -46,7 +46,7 @@ CURVE = "learning_curve.png"
 _Content = TypeVar("_Content")
 
 
-class RunFolder:
+class RunFolder(Closing):
     """An open run: its configuration, learner and tables, locked for one process.
 
     Attributes:
@@ -140,19 +140,6 @@ class RunFolder:
         if self._lock >= 0:
             os.close(self._lock)
             self._lock = -1
-
-    def __enter__(self) -> Self:
-        """Return the folder itself."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        """Close the folder."""
-        self.close()
 
     def _write_state(self) -> None:
         for name, table in ((ACTIONS, self.actions), (TRIALS, self.trials)):

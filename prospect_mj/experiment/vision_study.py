@@ -5,12 +5,12 @@ The studies of the learner draw from the histograms that are recorded here.
 
 import time
 from dataclasses import dataclass, field
-from types import TracebackType
-from typing import NamedTuple, Self
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from prospect_mj.closing import Closing
 from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.histogram_banks import Bank, HistogramBanks
 from prospect_mj.sim.camera import EyeSettings, StereoCamera, StereoPair
@@ -76,7 +76,7 @@ class Sample(NamedTuple):
         return float(np.arccos(np.clip(self.look.axis @ self.axis, -1.0, 1.0)))
 
 
-class Observatory:
+class Observatory(Closing):
     """The scene, the eyes and the vision controller; closes the eyes at the end."""
 
     def __init__(self, settings: VisionStudySettings) -> None:
@@ -111,16 +111,7 @@ class Observatory:
         axis = to_left * simulation.jar_axis
         return Sample(pair, look, simulation.jar_position, axis, seconds)
 
-    def __enter__(self) -> Self:
-        """Return the observatory."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        value: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
         """Close the eyes."""
         self._camera.close()
 

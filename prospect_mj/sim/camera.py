@@ -7,13 +7,13 @@ place where objects are presented, whatever lies there.
 import atexit
 import os
 from dataclasses import dataclass
-from types import TracebackType
-from typing import NamedTuple, Self
+from typing import NamedTuple
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from prospect_mj.closing import Closing
 from prospect_mj.errors import InvalidValue, RenderingUnavailable
 from prospect_mj.sim import gl
 from prospect_mj.sim.pinhole import Pinhole
@@ -49,7 +49,7 @@ class EyeSettings:
             raise InvalidValue("image size", self.size, "32 x 32 to 640 x 480 pixels")
 
 
-class StereoCamera:
+class StereoCamera(Closing):
     """Renders both eyes; holds an OpenGL context until it is closed.
 
     A context belongs to the process that made it. After a fork make a new camera.
@@ -96,19 +96,6 @@ class StereoCamera:
         self._renderer.close()
         self._renderer = None
         atexit.unregister(self.close)
-
-    def __enter__(self) -> Self:
-        """Return the open camera."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        value: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
-        """Close it."""
-        self.close()
 
     def _usable_renderer(self) -> mujoco.Renderer:
         if self._renderer is None:

@@ -1,14 +1,14 @@
 """One trial of the task on live physics: present, look once, act."""
 
 from dataclasses import dataclass, field
-from types import TracebackType
-from typing import Literal, Self, get_args
+from typing import Literal, get_args
 
 import numpy as np
 
 from prospect_mj.actions.action import Action, ActionOutcome, ActionResult
 from prospect_mj.actions.belief import Belief, SeenJar
 from prospect_mj.actions.runner import ActionRunner
+from prospect_mj.closing import Closing
 from prospect_mj.errors import InvalidChoice
 from prospect_mj.robot.names import Side
 from prospect_mj.sim.camera import EyeSettings, StereoCamera
@@ -47,7 +47,7 @@ class TaskSettings:
             raise InvalidChoice("object pose", self.object_pose, get_args(ObjectPose))
 
 
-class PickPlaceTask:
+class PickPlaceTask(Closing):
     """The torso, the jar and the receptacle, with the six actions to try.
 
     Args:
@@ -126,16 +126,3 @@ class PickPlaceTask:
     def close(self) -> None:
         """Close the eyes."""
         self.camera.close()
-
-    def __enter__(self) -> Self:
-        """Return the open task."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        value: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
-        """Close it."""
-        self.close()
