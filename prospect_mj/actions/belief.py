@@ -28,6 +28,8 @@ class Belief:
 
     seen: SeenJar | None = None
     """Set by the look, gone once the jar has been picked up or dropped."""
+    inserted: mink.SE3 | None = None
+    """Pose in the world of a jar that stands in the receptacle."""
     held: dict[Side, mink.SE3] = field(default_factory=dict)
     """Pose of the jar in the grasp frame of each hand that holds it."""
 

@@ -1,7 +1,5 @@
 """Grasp Left, Grasp Right: pick the jar off its cradle by the end on that side."""
 
-import mink
-
 from prospect_mj.actions import plan, poses
 from prospect_mj.actions.action import ActionResult
 from prospect_mj.actions.plan import Plan, Robot, Step
@@ -16,7 +14,7 @@ def grasp(robot: Robot, side: Side) -> Plan:
     seen = robot.belief.seen
     if seen is None:
         return ActionResult.NOT_SEEN
-    lying = poses.pose(poses.turned_to(mink.SO3.identity(), seen.axis), seen.position)
+    lying = poses.lying(seen.position, seen.axis)
     taken = yield from take_hold(robot, side, lambda: lying)
     if taken is not ActionResult.SUCCESS:
         return taken

@@ -7,11 +7,9 @@ from prospect_mj.actions import plan, poses
 from prospect_mj.actions.action import ActionResult
 from prospect_mj.actions.plan import Plan, Robot, Step
 from prospect_mj.control.fine_motion import PASSING, FineMotion
-from prospect_mj.control.gross_motion import GrossMotion
 from prospect_mj.control.hand_motion import HandMotion
 from prospect_mj.control.insertion import InsertionController
 from prospect_mj.control.insertion_settings import InsertionResult
-from prospect_mj.control.posture_motion import PostureMotion
 from prospect_mj.control.result import ControlResult, Status
 from prospect_mj.robot import names, posture
 from prospect_mj.robot.names import Side
@@ -68,7 +66,7 @@ def _align(robot: Robot, side: Side) -> Step:
     offset = _VIA_OFFSET * [1, names.sign(side), 1]
     beside = work.over_well(work.via_height) + offset
     target = poses.jar_over(side, arm.grasp_pose(), held, beside, _UP)
-    reached = yield from plan.run(GrossMotion(arm, target, reference, carrying=True))
+    reached = yield from plan.run(robot.reach(side, target, reference, carrying=True))
     if not reached.converged:
         return reached
     above = work.over_well(work.rim_clearance)
@@ -78,11 +76,13 @@ def _align(robot: Robot, side: Side) -> Step:
 
 def _release(robot: Robot, side: Side) -> plan.Steps:
     arm = robot.arms[side]
+    standing = robot.held_jar(side)
     yield (HandMotion(side),)
     del robot.belief.held[side]
+    robot.belief.inserted = standing
     above = poses.raised(arm.grasp_pose(), robot.workspace.stand_off)
     yield (FineMotion(arm, above, posture.over_well(side), settings=PASSING),)
-    yield (PostureMotion(arm, posture.home(side)),)
+    yield (robot.assume(side, posture.home(side)),)
 
 
 def _abandon(robot: Robot, side: Side, result: ControlResult) -> Plan:

@@ -13,16 +13,16 @@ import numpy as np
 
 from prospect_mj.actions.action import ActionResult
 from prospect_mj.actions.belief import Belief
-from prospect_mj.actions.poses import jar_over
+from prospect_mj.actions import poses
 from prospect_mj.actions.workspace import Workspace
 from prospect_mj.control.arm_control import ArmControl
 from prospect_mj.control.controller import Controller
 from prospect_mj.control.fine_motion import PASSING, FineMotion
-from prospect_mj.control.gross_motion import GrossMotion
+from prospect_mj.control import gross_motion
 from prospect_mj.control.hand_motion import HandMotion
-from prospect_mj.control.posture_motion import PostureMotion
 from prospect_mj.control.result import ControlResult, Status
 from prospect_mj.errors import InvalidValue
+from prospect_mj.planning.surroundings import JarShape, KnownJars
 from prospect_mj.robot import posture
 from prospect_mj.robot.names import Side
 
@@ -42,6 +42,32 @@ class Robot:
     def held_jar(self, side: Side) -> mink.SE3:
         """Pose in the world of the jar that a hand holds."""
         return self.arms[side].grasp_pose() @ self.belief.held[side]
+
+    def reach(
+        self,
+        side: Side,
+        target: mink.SE3,
+        reference: np.ndarray,
+        carrying: bool = False,
+    ) -> Controller:
+        """Gross motion of a hand to a pose; `reference` (7,) [rad] as in `reach`."""
+        arm, jars = self.arms[side], self._jars()
+        return gross_motion.reach(arm, target, reference, jars, carrying)
+
+    def assume(
+        self, side: Side, reference: np.ndarray, carrying: bool = False
+    ) -> Controller:
+        """Gross motion of an arm to a posture (7,) [rad]."""
+        return gross_motion.assume(self.arms[side], reference, self._jars(), carrying)
+
+    def _jars(self) -> KnownJars:
+        """Where planning must expect the jar."""
+        work, belief = self.workspace, self.belief
+        placed = belief.inserted
+        if belief.seen is not None and not belief.held:
+            placed = poses.lying(belief.seen.position, belief.seen.axis)
+        shape = JarShape(work.jar_radius, work.jar_length)
+        return KnownJars(shape, dict(belief.held), placed)
 
 
 def run(controller: Controller) -> Step:
@@ -73,7 +99,7 @@ def withdraw(robot: Robot, side: Side, target: mink.SE3) -> Steps:
     arm = robot.arms[side]
     yield (HandMotion(side),)
     yield (FineMotion(arm, target, arm_posture(arm), settings=PASSING),)
-    yield (PostureMotion(arm, posture.home(side)),)
+    yield (robot.assume(side, posture.home(side)),)
 
 
 def arm_posture(arm: ArmControl) -> np.ndarray:
@@ -85,13 +111,13 @@ def present(robot: Robot, side: Side) -> Step:
     """Bring a held jar to where it is kept between actions, lying along y."""
     arm = robot.arms[side]
     held, place = robot.belief.held[side], robot.workspace.presentation
-    target = jar_over(side, arm.grasp_pose(), held, place, outward(side))
+    target = poses.jar_over(side, arm.grasp_pose(), held, place, outward(side))
     reference = posture.presenting(side)
-    reached = yield from run(GrossMotion(arm, target, reference, carrying=True))
+    reached = yield from run(robot.reach(side, target, reference, carrying=True))
     if reached.status is Status.LOST:
         return reached
     # However far that came: it is the posture that the next action starts from.
-    return (yield from run(PostureMotion(arm, reference, carrying=True)))
+    return (yield from run(robot.assume(side, reference, carrying=True)))
 
 
 def outward(side: Side) -> np.ndarray:
@@ -104,4 +130,4 @@ def drop(robot: Robot, side: Side) -> Steps:
     robot.belief.held.pop(side, None)
     robot.belief.seen = None
     yield (HandMotion(side),)
-    yield (PostureMotion(robot.arms[side], posture.home(side)),)
+    yield (robot.assume(side, posture.home(side)),)

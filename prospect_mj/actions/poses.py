@@ -24,6 +24,11 @@ def pose(rotation: mink.SO3, position: np.ndarray) -> mink.SE3:
     return mink.SE3.from_rotation_and_translation(rotation, position)
 
 
+def lying(position: np.ndarray, axis: np.ndarray) -> mink.SE3:
+    """Pose of a jar at `position` (3,) [m] with its axis along a unit vector (3,)."""
+    return pose(turned_to(mink.SO3.identity(), axis), position)
+
+
 def backed_off(hand: mink.SE3, distance: float) -> mink.SE3:
     """A hand's pose `distance` [m] back along its own palm axis."""
     palm_axis = hand.rotation().as_matrix()[:, 2]

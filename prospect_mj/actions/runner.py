@@ -17,9 +17,8 @@ from prospect_mj.actions.insert import insert
 from prospect_mj.actions.plan import Plan, Robot, ended
 from prospect_mj.actions.swap import swap
 from prospect_mj.actions.workspace import workspace
-from prospect_mj.control.arm_control import ArmControl
+from prospect_mj.control.arm_control import GrossMotion, arm_control
 from prospect_mj.control.controller import CONTROL_PERIOD, Controller
-from prospect_mj.control.differential_ik import DifferentialIK
 from prospect_mj.control.kinematics import KinematicTwin
 from prospect_mj.robot.names import SIDES, Side
 from prospect_mj.robot.torso import Torso
@@ -40,6 +39,8 @@ class ActionRunner:
 
     Args:
         simulation: the live physics.
+        gross_motion: how large movements go: `harmonic` along streamlines in
+            configuration space, `cartesian` straight, as an ablation.
 
     Attributes:
         twin: the kinematic twin that all controllers share.
@@ -47,16 +48,15 @@ class ActionRunner:
         belief: what the robot knows of the jar in this trial.
     """
 
-    def __init__(self, simulation: Simulation) -> None:
-        """Build the twin and both arms' inverse kinematics."""
+    def __init__(
+        self, simulation: Simulation, gross_motion: GrossMotion = "harmonic"
+    ) -> None:
+        """Build the twin, both arms' inverse kinematics and their planners."""
         self._simulation = simulation
         self._torso = Torso(simulation.model, simulation.data)
         self._substeps = simulation.substeps(CONTROL_PERIOD)
         self.twin = KinematicTwin(simulation.settings)
-        self.arms = {
-            side: ArmControl(side, self.twin, DifferentialIK(self.twin, side))
-            for side in SIDES
-        }
+        self.arms = {side: arm_control(side, self.twin, gross_motion) for side in SIDES}
         self._workspace = workspace(simulation.settings.props)
         self.belief = Belief()
 

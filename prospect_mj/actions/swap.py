@@ -6,7 +6,6 @@ from prospect_mj.actions.plan import Plan, Robot, Step
 from prospect_mj.actions.take_hold import take_hold
 from prospect_mj.control.fine_motion import PASSING, FineMotion
 from prospect_mj.control.hand_motion import HandMotion
-from prospect_mj.control.posture_motion import PostureMotion
 from prospect_mj.robot import names, posture
 from prospect_mj.robot.names import Side
 
@@ -28,6 +27,6 @@ def _let_go(robot: Robot, giver: Side, taker: Side) -> Step:
     del robot.belief.held[giver]
     back = poses.backed_off(giving.grasp_pose(), robot.workspace.stand_off)
     yield (FineMotion(giving, back, plan.arm_posture(giving), settings=PASSING),)
-    carry = PostureMotion(robot.arms[taker], posture.presenting(taker), carrying=True)
-    yield (carry, PostureMotion(giving, posture.home(giver)))
+    carry = robot.assume(taker, posture.presenting(taker), carrying=True)
+    yield (carry, robot.assume(giver, posture.home(giver)))
     return plan.ended(carry)

@@ -10,7 +10,6 @@ from prospect_mj.actions.plan import Plan, Robot, Step
 from prospect_mj.control.fine_motion import FineMotion
 from prospect_mj.control.grasp import GraspController
 from prospect_mj.control.grasp_settings import GraspResult
-from prospect_mj.control.gross_motion import GrossMotion
 from prospect_mj.control.hand_motion import HandMotion
 from prospect_mj.robot.names import Side
 
@@ -44,7 +43,7 @@ def take_hold(robot: Robot, side: Side, jar: WhereIsJar) -> Plan:
 def _close_on(robot: Robot, side: Side, jar: WhereIsJar) -> Step:
     arm, posture = robot.arms[side], plan.arm_posture(robot.arms[side])
     before = poses.backed_off(_grip_pose(robot, side, jar()), robot.workspace.stand_off)
-    reach = GrossMotion(arm, before, posture)
+    reach = robot.reach(side, before, posture)
     yield (reach, HandMotion(side))
     reached = plan.ended(reach)
     if not reached.converged:

@@ -14,6 +14,8 @@ class Workspace:
 
     jar_length: float
     """[m]"""
+    jar_radius: float
+    """Of its wider end [m]."""
     jar_weight: float
     """[N]"""
     well: np.ndarray
@@ -53,6 +55,7 @@ def workspace(props: Props) -> Workspace:
     """The workspace of a scene."""
     return Workspace(
         jar_length=props.jar.length,
+        jar_radius=props.jar.lid_radius,
         jar_weight=props.jar.mass * GRAVITY,
         well=np.array([*props.well.position, props.well.rim_height]),
         well_depth=props.well.depth,

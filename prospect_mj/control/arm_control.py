@@ -1,12 +1,18 @@
-"""What every motion controller of one arm needs: twin and inverse kinematics."""
+"""What every motion controller of one arm needs: twin, inverse kinematics, planner."""
 
 from dataclasses import dataclass
+from typing import Literal, get_args
 
 import mink
 
 from prospect_mj.control.differential_ik import DifferentialIK
 from prospect_mj.control.kinematics import KinematicTwin
+from prospect_mj.errors import InvalidChoice
+from prospect_mj.planning.planner import GrossPlanner
 from prospect_mj.robot.names import Side
+
+GrossMotion = Literal["harmonic", "cartesian"]
+GROSS_MOTIONS: tuple[GrossMotion, ...] = get_args(GrossMotion)
 
 
 @dataclass(frozen=True)
@@ -16,7 +22,29 @@ class ArmControl:
     side: Side
     twin: KinematicTwin
     ik: DifferentialIK
+    planner: GrossPlanner | None = None
+    """Of large movements; None: they go straight."""
 
     def grasp_pose(self) -> mink.SE3:
         """Pose of the hand's grasp site in the world, from the encoders."""
         return self.twin.grasp_pose(self.side)
+
+
+def arm_control(
+    side: Side, twin: KinematicTwin, gross_motion: GrossMotion = "harmonic"
+) -> ArmControl:
+    """An arm that makes large movements in one of two ways.
+
+    Args:
+        side: the arm.
+        twin: shared by all controllers.
+        gross_motion: `harmonic` along streamlines, `cartesian` straight.
+
+    Raises:
+        InvalidChoice: if it is neither.
+    """
+    if gross_motion not in GROSS_MOTIONS:
+        raise InvalidChoice("gross motion", gross_motion, GROSS_MOTIONS)
+    planned = gross_motion == "harmonic"
+    planner = GrossPlanner(twin.model, side) if planned else None
+    return ArmControl(side, twin, DifferentialIK(twin, side), planner)

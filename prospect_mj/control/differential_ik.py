@@ -20,7 +20,7 @@ from prospect_mj.control.controller import CONTROL_PERIOD
 from prospect_mj.control.kinematics import KinematicTwin
 from prospect_mj.robot import names
 from prospect_mj.robot.names import Side
-from prospect_mj.sim.scene import LAMP, PEDESTAL, TABLE, WELL
+from prospect_mj.sim.scene import LAMP, OBSTACLE, PEDESTAL, TABLE, WELL
 
 
 @dataclass(frozen=True)
@@ -146,6 +146,11 @@ class DifferentialIK:
         self._rest.set_target(reference)
         return self._solve([self._rest])[self._own]
 
+    def solve_velocity(self, velocity: np.ndarray) -> np.ndarray:
+        """The nearest admissible to joint velocities (7,) [rad/s] that are wanted."""
+        here = self._twin.configuration.q[self._own]
+        return self.solve_posture(here + velocity * CONTROL_PERIOD / self.settings.gain)
+
     def _solve(self, tasks: list[mink.Task]) -> np.ndarray:
         try:
             return self._attempt(tasks, [*self._limits, self._speed])
@@ -181,10 +186,11 @@ def _collision_limit(
     other = names.other(side)
     rival = _geoms(twin, *names.arm_links(other)[2:], names.palm(other))
     rival += _fingers(other)
+    whole = (f"{PEDESTAL}/", f"{WELL}/wall", f"{OBSTACLE}/")
     fixtures = [
         model.geom(i).name
         for i in range(model.ngeom)
-        if model.geom(i).name.startswith((f"{PEDESTAL}/", f"{WELL}/wall"))
+        if model.geom(i).name.startswith(whole)
     ] + [f"{LAMP}/shade", f"{TABLE}/top"]
     body = _geoms(twin, "trunk", "head")
     return _ActiveCollisionLimit(

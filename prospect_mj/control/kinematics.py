@@ -1,12 +1,13 @@
 """The kinematic twin: where the robot believes its links to be, from its encoders."""
 
 import mink
+import mujoco
 import numpy as np
 
 from prospect_mj.robot import names, posture
 from prospect_mj.robot.names import SIDES, Side
 from prospect_mj.robot.torso import Reading
-from prospect_mj.sim.scene import PEDESTAL, SceneSettings, compile_twin
+from prospect_mj.sim.scene import PEDESTAL, SceneSettings, compile_twin, obstacle_mocap
 
 
 class KinematicTwin:
@@ -16,7 +17,8 @@ class KinematicTwin:
         settings: of the scene whose fixtures it contains.
 
     Attributes:
-        model: 14 arm joints; fingers welded open; table, well, lamp, pedestal.
+        model: 14 arm joints; fingers welded open; table, well, lamp, pedestal,
+            obstacle.
         configuration: mink's view of it at the last update.
     """
 
@@ -32,6 +34,11 @@ class KinematicTwin:
         }
         pedestal = self.model.body(f"{PEDESTAL}/").id
         self._mocap = int(self.model.body_mocapid[pedestal])
+
+    @property
+    def data(self) -> mujoco.MjData:
+        """Its kinematics at the last update."""
+        return self.configuration.data
 
     def columns(self, side: Side) -> np.ndarray:
         """Indices (7,) of an arm's joints among the twin's 14."""
@@ -52,6 +59,15 @@ class KinematicTwin:
         data = self.configuration.data
         data.mocap_pos[self._mocap] = position
         data.mocap_quat[self._mocap] = mink.SO3.from_z_radians(yaw).wxyz
+
+    def place_obstacle(self, position: np.ndarray) -> None:
+        """Tell the robot where the obstacle stands: centre (2,) [m] on the table.
+
+        Raises:
+            InvalidValue: if the scene has none.
+        """
+        data = self.configuration.data
+        data.mocap_pos[obstacle_mocap(self.model), :2] = position
 
     def grasp_pose(self, side: Side) -> mink.SE3:
         """Pose of a hand's grasp site in the world."""

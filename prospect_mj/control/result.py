@@ -14,6 +14,8 @@ class Status(StrEnum):
     """The error stopped falling before it was small enough."""
     LOST = "lost"
     """The object is no longer in the hand."""
+    UNREACHABLE = "unreachable"
+    """No way leads to the goal: nothing moved."""
     OUT_OF_TIME = "out of time"
     """The time budget ran out."""
 

@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import ArrayLike
 
-from prospect_mj.sim.props import Jar, Lamp, Pedestal, Table, Well
+from prospect_mj.sim.props import Jar, Lamp, Obstacle, Pedestal, Table, Well
 
 Element = Any
 """An MJCF element of PyMJCF, which only the scene imports."""
@@ -137,6 +137,13 @@ def build_lamp(root: Element, lamp: Lamp) -> None:
         ("foot", "cylinder", foot, foot + [0, 0, 0.02], 0.08),
     ):
         _rod(root.worldbody, name, kind, start, end, radius, rgba=_BRASS)
+
+
+def build_obstacle(root: Element, obstacle: Obstacle) -> None:
+    """An upright post; its frame is on the table."""
+    ends = (np.zeros(3), np.array([0, 0, obstacle.height]))
+    rgba = [0.55, 0.20, 0.16, 1]
+    _rod(root.worldbody, "post", "cylinder", *ends, obstacle.radius, rgba=rgba)
 
 
 def build_jar(root: Element, jar: Jar, surface: dict[str, Any]) -> None:

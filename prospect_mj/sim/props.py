@@ -115,6 +115,18 @@ class Table:
 
 
 @dataclass(frozen=True)
+class Obstacle:
+    """A tall post on the table that stands in the way; it can be moved."""
+
+    position: tuple[float, float] = (1.07, -0.70)
+    """Where it stands at reset, on the table [m]: in the far corner, out of reach."""
+    radius: float = 0.04
+    """[m]"""
+    height: float = 0.60
+    """[m]"""
+
+
+@dataclass(frozen=True)
 class Props:
     """Everything around the torso."""
 
@@ -123,3 +135,5 @@ class Props:
     well: Well = field(default_factory=Well)
     lamp: Lamp = field(default_factory=Lamp)
     table: Table = field(default_factory=Table)
+    obstacle: Obstacle | None = None
+    """None: nothing stands in the way."""

@@ -12,11 +12,12 @@ from dm_control import mjcf
 from lxml.etree import XMLSyntaxError
 
 from prospect_mj import paths
-from prospect_mj.errors import InvalidModel
+from prospect_mj.errors import InvalidModel, InvalidValue
 from prospect_mj.sim import fixtures
 from prospect_mj.sim.props import Jar, Props
 
 JAR, WELL, PEDESTAL, LAMP, TABLE = "jar", "well", "pedestal", "lamp", "table"
+OBSTACLE = "obstacle"
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,7 @@ class SceneSettings:
 
 
 def compile_scene(settings: SceneSettings) -> mujoco.MjModel:
-    """The physics model: torso, table, pedestal, well, lamp and jar.
+    """The physics model: torso, table, pedestal, well, lamp, obstacle and jar.
 
     Raises:
         MissingFile: if a model or asset file is missing.
@@ -84,6 +85,23 @@ def _attach_fixtures(root: mjcf.RootElement, props: Props) -> None:
     fixtures.build_pedestal(pedestal, props.pedestal, props.jar)
     frame = root.attach(pedestal)
     frame.set_attributes(mocap=True, pos=props.pedestal.nominal)
+    if props.obstacle is not None:
+        obstacle = _model(OBSTACLE)
+        fixtures.build_obstacle(obstacle, props.obstacle)
+        place = [*props.obstacle.position, 0.0]
+        root.attach(obstacle).set_attributes(mocap=True, pos=place)
+
+
+def obstacle_mocap(model: mujoco.MjModel) -> int:
+    """Row of the obstacle among a model's mocap bodies.
+
+    Raises:
+        InvalidValue: if the scene was composed without one.
+    """
+    body = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, f"{OBSTACLE}/")
+    if body < 0:
+        raise InvalidValue("Props.obstacle", None, "an Obstacle, to be placed")
+    return int(model.body_mocapid[body])
 
 
 def _lying() -> np.ndarray:

@@ -7,7 +7,13 @@ import mujoco
 import numpy as np
 
 from prospect_mj.errors import InvalidValue, SimulationDiverged
-from prospect_mj.sim.scene import JAR, PEDESTAL, SceneSettings, compile_scene
+from prospect_mj.sim.scene import (
+    JAR,
+    PEDESTAL,
+    SceneSettings,
+    compile_scene,
+    obstacle_mocap,
+)
 
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION
 
@@ -77,6 +83,15 @@ class Simulation:
         self.data.qpos[start + 3 : start + 7] = quat
         mujoco.mj_forward(self.model, self.data)
         self.step(round(SETTLING_TIME / self.timestep))
+
+    def place_obstacle(self, position: np.ndarray) -> None:
+        """Put the obstacle somewhere on the table: centre (2,) [m]; `reset` undoes it.
+
+        Raises:
+            InvalidValue: if the scene has none.
+        """
+        self.data.mocap_pos[obstacle_mocap(self.model), :2] = position
+        mujoco.mj_forward(self.model, self.data)
 
     def step(self, n: int) -> None:
         """Advance the physics by `n` timesteps.

@@ -2,10 +2,7 @@
 
 import xml.etree.ElementTree as ET
 
-import numpy as np
-from scipy.spatial.transform import Rotation
-
-from prospect_mj.robot import names, wam
+from prospect_mj.robot import mounting, names, wam
 from prospect_mj.robot.description.elements import (
     DARK,
     JOINT,
@@ -18,12 +15,6 @@ from prospect_mj.robot.description.elements import (
     wxyz,
 )
 from prospect_mj.robot.names import Side
-
-SHOULDER_HEIGHT = 0.55
-SHOULDER_HALF_WIDTH = 0.22
-"""Place of the shoulder centres [m]; the Torso's own is not published. J1 points
-outward along y, which of all mounts searched keeps pick, swap and insertion in one
-connected part of the arm's workspace."""
 
 # Collision and visual shape of the arm's links: name, type, from, to, radius, material.
 _LINK_SHAPES = (
@@ -42,13 +33,12 @@ _LINK_SHAPES = (
 
 def arm(world: ET.Element, side: Side) -> ET.Element:
     """Add an arm without its hand, and return the body of its flange."""
-    s = names.sign(side)
     parent = ET.SubElement(
         world,
         "body",
         name=f"{side}_base",
-        pos=text([0, s * SHOULDER_HALF_WIDTH, SHOULDER_HEIGHT]),
-        quat=text(wxyz(Rotation.from_euler("x", -s * np.pi / 2))),
+        pos=text(mounting.shoulder_position(side)),
+        quat=text(wxyz(mounting.shoulder_rotation(side))),
     )
     for i, link in enumerate(names.arm_links(side)):
         origin = text(wam.LINK_ORIGINS[i])

@@ -4,7 +4,7 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 
-from prospect_mj.robot import barrett_hand, names, posture
+from prospect_mj.robot import barrett_hand, mounting, names, posture
 from prospect_mj.robot.description import arm, hand
 from prospect_mj.robot.description.elements import (
     DARK,
@@ -66,7 +66,8 @@ def _trunk(world: ET.Element) -> None:
     trunk = ET.SubElement(world, "body", name="trunk")
     box = {"type": "box", "pos": "-0.07 0 -0.06", "size": "0.055 0.10 0.69"}
     ET.SubElement(trunk, "geom", name="column", material=JOINT, **box)
-    beam = ((0, -0.10, arm.SHOULDER_HEIGHT), (0, 0.10, arm.SHOULDER_HEIGHT))
+    height = mounting.SHOULDER_HEIGHT
+    beam = ((0, -0.10, height), (0, 0.10, height))
     geom(trunk, "beam", "cylinder", *beam, 0.085, SHELL)
     head = ET.SubElement(world, "body", name="head")
     geom(head, "neck", "capsule", (-0.05, 0, 0.6), (-0.02, 0, 0.8), 0.035, JOINT)

@@ -1,0 +1,122 @@
+"""Harmonic motion: streamlines in configuration space, then mink for the last bit."""
+
+from dataclasses import replace
+
+import mink
+import numpy as np
+
+from prospect_mj.control.arm_control import ArmControl
+from prospect_mj.control.cartesian_motion import CartesianMotion
+from prospect_mj.control.grip_watch import GripWatch
+from prospect_mj.control.hand_servo import HandServo, MotionSettings
+from prospect_mj.control.posture_motion import PostureMotion, PostureSettings
+from prospect_mj.control.result import Status, Targets
+from prospect_mj.control.straight_reach import GROSS
+from prospect_mj.control.transit import Transit
+from prospect_mj.planning.goals import goals
+from prospect_mj.planning.surroundings import KnownJars
+from prospect_mj.robot.torso import Reading
+
+TIME_BUDGET = 10.0
+"""A way round things may be several times as long as the straight one [s]."""
+
+_MOST_GOALS = 6
+_GOAL_LIMIT_MARGIN = 0.1
+"""Left of the joint limits at a goal, for the fine motion that follows [rad]."""
+
+
+class HarmonicReach(CartesianMotion):
+    """Bring a hand to a pose along a streamline, then straight within tolerance.
+
+    Args:
+        arm: which arm, its kinematics and its planner.
+        target: pose of the grasp site in the world.
+        posture: joint angles (7,) [rad]; the goals near to it come first.
+        jars: where the jar is believed to be.
+        carrying: whether an object must stay in the hand.
+        settings: of the last bit; None = those of gross motion.
+
+    Attributes:
+        transit: the part along the streamline.
+    """
+
+    DEFAULTS = replace(GROSS, time_budget=TIME_BUDGET)
+
+    def __init__(
+        self,
+        arm: ArmControl,
+        target: mink.SE3,
+        posture: np.ndarray,
+        jars: KnownJars,
+        carrying: bool = False,
+        settings: MotionSettings | None = None,
+    ) -> None:
+        """Start towards `target`."""
+        super().__init__(arm, target, posture, carrying, settings)
+        self._posture = posture
+        self.transit = Transit(arm, self._goals, jars, carrying)
+
+    def _goals(self) -> np.ndarray:
+        return goals(
+            self.side,
+            self._target,
+            self._posture,
+            self._settings.free_roll,
+            _GOAL_LIMIT_MARGIN,
+            _MOST_GOALS,
+        )
+
+    def _law(self, reading: Reading) -> Targets:
+        own = reading[self.side]
+        if self.transit.arrived:
+            return super()._law(reading)
+        targets = self.transit.step(own)
+        if self._grip.lost(own.touch):
+            self._finish(Status.LOST, GripWatch.REASON)
+        elif self.transit.failure is not None:
+            self._finish(*self.transit.failure)
+        if self.transit.arrived:
+            # The straight law goes on from here, towards the same configuration.
+            self._servo = HandServo(self._arm, self.transit.goal, self._settings)
+            self._place = self._arm.grasp_pose().translation()
+        return Targets(joints=targets)
+
+
+class HarmonicPosture(PostureMotion):
+    """Bring an arm's joints to a known posture along a streamline.
+
+    Args:
+        arm: which arm, its kinematics and its planner.
+        posture: joint angles (7,) [rad].
+        jars: where the jar is believed to be.
+        carrying: whether an object must stay in the hand.
+        settings: of the last bit.
+
+    Attributes:
+        transit: the part along the streamline.
+    """
+
+    def __init__(
+        self,
+        arm: ArmControl,
+        posture: np.ndarray,
+        jars: KnownJars,
+        carrying: bool = False,
+        settings: PostureSettings | None = None,
+    ) -> None:
+        """Start towards `posture`."""
+        if settings is None:
+            settings = PostureSettings(time_budget=TIME_BUDGET)
+        super().__init__(arm, posture, carrying, settings)
+        self.transit = Transit(arm, lambda: posture[None], jars, carrying)
+
+    def _law(self, reading: Reading) -> Targets:
+        own = reading[self.side]
+        if self.transit.arrived:
+            return super()._law(reading)
+        targets = self.transit.step(own)
+        if self._grip.lost(own.touch):
+            self._finish(Status.LOST, GripWatch.REASON)
+        elif self.transit.failure is not None:
+            self._finish(*self.transit.failure)
+        return Targets(joints=targets)

@@ -1,0 +1,107 @@
+"""Gross motion planning: a harmonic function over shoulder and elbow (Connolly 1993)."""
+
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from prospect_mj.planning.arm_body import GROSS_JOINTS, arm_body
+from prospect_mj.planning.clearance import arrays, clearances
+from prospect_mj.planning.gross_plan import GrossPlan
+from prospect_mj.planning.joint_grid import JointGrid
+from prospect_mj.planning.query import Query, make_query
+from prospect_mj.planning.search import resumed, search, straight
+from prospect_mj.planning.settings import PlannerSettings
+from prospect_mj.planning.static_map import static_room
+from prospect_mj.planning.surroundings import KnownJars, Surroundings, body_with
+from prospect_mj.robot.names import Side
+
+
+@dataclass(frozen=True)
+class World:
+    """What moves: the state of a robot model, and where the jar is believed to be."""
+
+    data: mujoco.MjData
+    jars: KnownJars
+
+
+class GrossPlanner:
+    """Plans large movements of one arm among everything that it must not touch.
+
+    Args:
+        model: the robot and what stands around it, without a jar.
+        side: the arm.
+        settings: grid and clearances.
+    """
+
+    def __init__(
+        self, model: mujoco.MjModel, side: Side, settings: PlannerSettings | None = None
+    ) -> None:
+        """Compute or load the static part."""
+        self.settings = PlannerSettings() if settings is None else settings
+        self.body = arm_body(model, side)
+        self._surroundings = Surroundings(model, side)
+        self._rooms: dict[int, tuple[JointGrid, np.ndarray]] = {}
+        self._room(1)
+
+    def plan(
+        self, start: np.ndarray, goals: np.ndarray, world: World
+    ) -> GrossPlan | None:
+        """A way from one configuration to any of several others.
+
+        Args:
+            start: joint angles (7,) [rad].
+            goals: joint angles (n, 7) [rad].
+            world: what moves.
+
+        Returns:
+            The way, or None if there is none that the finest grid shows.
+        """
+        query = self._query(start, goals, world)
+        if not len(query.goals):
+            return None
+        plan, level = straight(query, self.settings), 0
+        while plan is None and level <= self.settings.refinements:
+            plan = search(query, *self._room(2**level), self.settings)
+            level += 1
+        return plan
+
+    def resume(
+        self, plan: GrossPlan, start: np.ndarray, world: World
+    ) -> GrossPlan | None:
+        """The way of a plan from where the arm is now, in the world as it is now.
+
+        Args:
+            plan: an earlier one.
+            start: joint angles (7,) [rad].
+            world: what moves.
+
+        Returns:
+            The way along the same harmonic function, or None if something is in it.
+        """
+        query = self._query(start, plan.query.goals, world)
+        return resumed(plan, query._replace(chart=plan.query.chart), self.settings)
+
+    def clearance(self, configurations: np.ndarray, world: World) -> np.ndarray:
+        """Least distances (n,) [m] of configurations (n, 7) [rad] to anything."""
+        body = body_with(self.body, world.jars)
+        rows = self._rows(world)
+        return clearances(arrays(body), configurations, rows, 0.3)
+
+    def _rows(self, world: World) -> np.ndarray:
+        moving = self._surroundings.moving(world.data, world.jars)
+        return np.concatenate([self._surroundings.fixed, moving])
+
+    def _query(self, start: np.ndarray, goals: np.ndarray, world: World) -> Query:
+        body = body_with(self.body, world.jars)
+        moving = self._surroundings.moving(world.data, world.jars)
+        return make_query(body, self._surroundings.fixed, moving, start, goals)
+
+    def _room(self, refinement: int) -> tuple[JointGrid, np.ndarray]:
+        if refinement not in self._rooms:
+            low, high = self.body.limits[:GROSS_JOINTS].T
+            cells = tuple(refinement * n for n in self.settings.cells)
+            grid = JointGrid(tuple(low), tuple(high), cells)
+            fixed, margin = self._surroundings.fixed, self.settings.cell_margin
+            self._rooms[refinement] = grid, static_room(self.body, fixed, grid, margin)
+        return self._rooms[refinement]
