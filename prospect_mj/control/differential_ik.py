@@ -193,9 +193,10 @@ def _collision_limit(
         if model.geom(i).name.startswith(whole)
     ] + [f"{LAMP}/shade", f"{TABLE}/top"]
     body = _geoms(twin, "trunk", "head")
+    own = _geoms(twin, *names.arm_links(side)[1:3])
     return _ActiveCollisionLimit(
         model,
-        [(arm + hand, fixtures), (arm + hand, rival), (arm[2:] + hand, body)],
+        [(arm + hand, fixtures), (arm + hand, rival), (arm + hand, body), (hand, own)],
         gain=settings.approach_gain,
         minimum_distance_from_collisions=settings.clearance,
         collision_detection_distance=settings.detection,

@@ -1,6 +1,7 @@
 """Harmonic motion: streamlines in configuration space, then mink for the last bit."""
 
 from dataclasses import replace
+from functools import cache, partial
 
 import mink
 import numpy as np
@@ -13,16 +14,13 @@ from prospect_mj.control.posture_motion import PostureMotion, PostureSettings
 from prospect_mj.control.result import Status, Targets
 from prospect_mj.control.straight_reach import GROSS
 from prospect_mj.control.transit import Transit
-from prospect_mj.planning.goals import goals
+from prospect_mj.planning.goals import NATURAL, THOROUGH, GoalSearch, goals
+from prospect_mj.planning.planner import GoalSet
 from prospect_mj.planning.surroundings import KnownJars
 from prospect_mj.robot.torso import Reading
 
 TIME_BUDGET = 10.0
 """A way round things may be several times as long as the straight one [s]."""
-
-_MOST_GOALS = 6
-_GOAL_LIMIT_MARGIN = 0.1
-"""Left of the joint limits at a goal, for the fine motion that follows [rad]."""
 
 
 class HarmonicReach(CartesianMotion):
@@ -54,17 +52,16 @@ class HarmonicReach(CartesianMotion):
         """Start towards `target`."""
         super().__init__(arm, target, posture, carrying, settings)
         self._posture = posture
-        self.transit = Transit(arm, self._goals, jars, carrying)
+        # Found when they are first needed, as some seldom are; then kept.
+        sets = [
+            GoalSet(cache(partial(self._goals, how)), how.most)
+            for how in (NATURAL, THOROUGH)
+        ]
+        self.transit = Transit(arm, sets, jars, carrying)
 
-    def _goals(self) -> np.ndarray:
-        return goals(
-            self.side,
-            self._target,
-            self._posture,
-            self._settings.free_roll,
-            _GOAL_LIMIT_MARGIN,
-            _MOST_GOALS,
-        )
+    def _goals(self, how: GoalSearch) -> np.ndarray:
+        free_roll = self._settings.free_roll
+        return goals(self.side, self._target, self._posture, free_roll, how)
 
     def _law(self, reading: Reading) -> Targets:
         own = reading[self.side]
@@ -108,7 +105,7 @@ class HarmonicPosture(PostureMotion):
         if settings is None:
             settings = PostureSettings(time_budget=TIME_BUDGET)
         super().__init__(arm, posture, carrying, settings)
-        self.transit = Transit(arm, lambda: posture[None], jars, carrying)
+        self.transit = Transit(arm, [GoalSet(lambda: posture[None])], jars, carrying)
 
     def _law(self, reading: Reading) -> Targets:
         own = reading[self.side]

@@ -54,6 +54,30 @@ class KinematicTwin:
         low, high = self.model.jnt_range.T
         self.configuration.update(np.clip(angles, low, high))
 
+    def dynamics(
+        self, side: Side, velocities: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Inertia (7, 7) [kg m^2] of an arm where it is, and the torques of its motion.
+
+        Args:
+            side: the arm; the other one counts as resting.
+            velocities: of its joints (7,) [rad/s].
+
+        Returns:
+            The inertia, and what gravity, centripetal terms and friction take of each
+            joint's torque (7,) [N m]. What the hand holds is not in it.
+        """
+        data, own = self.data, self._columns[side]
+        data.qvel[:] = 0.0
+        data.qvel[own] = velocities
+        mujoco.mj_comVel(self.model, data)
+        mujoco.mj_rne(self.model, data, 0, data.qfrc_bias)
+        mujoco.mj_crb(self.model, data)
+        inertia = np.empty((self.model.nv, self.model.nv))
+        mujoco.mj_fullM(self.model, data, inertia)
+        friction = self.model.dof_damping[own] * velocities
+        return inertia[np.ix_(own, own)], data.qfrc_bias[own] + friction
+
     def place_pedestal(self, position: np.ndarray, yaw: float) -> None:
         """Put the cradle under where the jar was seen: position (3,) [m], yaw [rad]."""
         data = self.configuration.data

@@ -1,1 +1,5 @@
-"""Harmonic path planning in an arm's joint space (Connolly & Grupen 1993)."""
+"""Gross motion planning by harmonic functions over an arm's joint space."""
+
+from prospect_mj.planning import kernel_cache
+
+kernel_cache.use()

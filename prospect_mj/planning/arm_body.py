@@ -1,22 +1,17 @@
 """One arm as the planner sees it: a chain of joints, its links covered by spheres."""
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import mink
 import mujoco
 import numpy as np
 
+from prospect_mj.planning.arm_kernels import FRAME_OF, HAND, JAR, N_LINKS, UPPER_ARM
 from prospect_mj.planning.solids import solids
 from prospect_mj.planning.sphere_cover import bounding_sphere, cover
-from prospect_mj.robot import names, wam
+from prospect_mj.robot import names
 from prospect_mj.robot.names import Side
-
-UPPER_ARM, FOREARM, HAND, JAR = range(4)
-"""What moves as one: WAM's link 3; its links 4 to 6 as far as they lie on the wrist's
-axis, so that the wrist does not move them; link 7 with the hand; a held jar."""
-N_LINKS = 4
-JOINT_OF = (2, 3, 6, 6)
-"""The joint that each of them follows."""
 
 GROSS_JOINTS = 4
 """Shoulder and elbow: the joints of gross motion; the other three are the wrist's."""
@@ -27,6 +22,17 @@ HAND_AND_JAR = (1 << HAND) | (1 << JAR)
 
 _SHOULDER = 2
 """Links 1 and 2 turn on the spot: they belong to what stands still."""
+
+
+class Arrays(NamedTuple):
+    """What the compiled code needs of an arm; see `ArmBody`."""
+
+    base: np.ndarray
+    joints: np.ndarray
+    spheres: np.ndarray
+    first: np.ndarray
+    hulls: np.ndarray
+    upper: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -51,6 +57,11 @@ class ArmBody:
     limits: np.ndarray
     """Range of each joint (7, 2) [rad]."""
 
+    @property
+    def arrays(self) -> Arrays:
+        """The same for compiled code."""
+        return Arrays(*(getattr(self, name) for name in Arrays._fields))
+
     def holding(self, jar: mink.SE3, radius: float, length: float) -> "ArmBody":
         """The same arm with a jar in its hand.
 
@@ -61,7 +72,7 @@ class ArmBody:
         """
         along = cover(mujoco.mjtGeom.mjGEOM_CYLINDER, np.array([radius, length / 2, 0]))
         spheres = _placed(along, self.grasp @ jar)
-        groups = [self.spheres[a:b] for a, b in zip(self.first[:JAR], self.first[1:])]
+        groups = np.split(self.spheres[: self.first[JAR]], self.first[1:JAR])
         return replace(self, **_grouped([*groups, spheres]))
 
 
@@ -77,7 +88,7 @@ def arm_body(model: mujoco.MjModel, side: Side) -> ArmBody:
     moving = geoms_of(model, side)
     upper = [g for g in moving if model.geom_bodyid[g] == bodies[_SHOULDER]]
     groups = [
-        _link_spheres(model, data, bodies[JOINT_OF[link]], geoms)
+        _link_spheres(model, data, bodies[FRAME_OF[link] - 1], geoms)
         for link, geoms in enumerate(_by_link(model, bodies, moving))
     ]
     return ArmBody(

@@ -1,10 +1,13 @@
-"""Compiled: the direction in which a harmonic function rises at a configuration.
+"""Compiled: how a configuration climbs a harmonic function.
 
 u is interpolated between the centres of cells (multilinear), scaled by its largest
 value near by, which leaves the gradient's direction and takes away its underflow. A
 step that this direction would take past the corner of a wall goes to the highest
 neighbouring cell instead. By the maximum principle that cell's value is higher than the
 own one, and the straight way to its centre lies in the two cells.
+
+All of it is in one module, as numba's cache of a function does not see when another
+module's function changes that it calls.
 """
 
 import numpy as np
@@ -14,6 +17,39 @@ from prospect_mj.planning.harmonic_field import FieldArrays
 
 # Half a central difference, in cells.
 _HALF = 0.5
+
+
+@njit(cache=True, error_model="numpy")
+def follow(
+    field: FieldArrays, step: float, patience: int, points: np.ndarray
+) -> tuple[int, bool]:
+    """Fill points (m, n_joints) [rad] from the first on.
+
+    Where `patience` steps have brought no higher cell, it climbs from cell to cell
+    until one is higher than all before. So each round ends in a higher cell, of which
+    there are finitely many.
+
+    Returns:
+        Number of points, and whether the last one lies in a goal cell.
+    """
+    ascent = np.zeros(points.shape[1])
+    best = field.log_u[_cell(field, points[0])]
+    if best == -np.inf:
+        return 1, False
+    waited = 0
+    for i in range(points.shape[0]):
+        value = field.log_u[_cell(field, points[i])]
+        if value == 0.0:
+            return i + 1, True
+        waited = 0 if value > best else waited + 1
+        best = max(best, value)
+        if i + 1 == points.shape[0]:
+            break
+        ascend(field, points[i], step, waited > patience, ascent)
+        if not ascent.any():
+            return i + 1, False
+        points[i + 1] = points[i] + step * ascent
+    return points.shape[0], False
 
 
 @njit(cache=True, error_model="numpy")
@@ -34,10 +70,8 @@ def ascend(
         ascent: where the unit vector goes; zeros if there is none.
     """
     _gradient(field, joints, ascent)
-    norm = np.sqrt((ascent**2).sum())
-    if norm > 0.0 and not by_cells:
-        ascent /= norm
-        own = field.log_u[nearest_cell(field, joints)]
+    if not by_cells and _normalise(ascent):
+        own = field.log_u[_cell(field, joints)]
         if own == -np.inf or _is_clear(field, joints, step, ascent):
             return
     _to_highest(field, joints, ascent)
@@ -51,7 +85,7 @@ def _index(field: FieldArrays, joints: np.ndarray, axis: int) -> int:
 
 
 @njit(cache=True, error_model="numpy")
-def nearest_cell(field: FieldArrays, joints: np.ndarray) -> int:
+def _cell(field: FieldArrays, joints: np.ndarray) -> int:
     """Where the nearest cell's value lies."""
     cell = 0
     for axis in range(joints.size):
@@ -76,11 +110,13 @@ def _gradient(field: FieldArrays, joints: np.ndarray, gradient: np.ndarray) -> N
             x[axis] += _HALF * (2 * side - 1)
             _corners(field, x, corners[axis, side], weights[axis, side])
             x[axis] = centre
-    top = corners.max()
-    gradient[:] = 0.0
-    if top == -np.inf:
-        return
+    top = -np.inf
+    for corner in corners.flat:
+        top = max(top, corner)
     for axis in range(n):
+        gradient[axis] = 0.0
+        if top == -np.inf:
+            continue
         for k in range(2**n):
             high = weights[axis, 1, k] * np.exp(corners[axis, 1, k] - top)
             low = weights[axis, 0, k] * np.exp(corners[axis, 0, k] - top)
@@ -110,7 +146,7 @@ def _is_clear(
     field: FieldArrays, joints: np.ndarray, step: float, ascent: np.ndarray
 ) -> bool:
     """Whether all cells of the smallest box around a step are connected."""
-    first = nearest_cell(field, joints)
+    first = _cell(field, joints)
     moved = np.zeros(joints.size, np.int64)
     n_moved = 0
     for axis in range(joints.size):
@@ -134,7 +170,7 @@ def _is_clear(
 @njit(cache=True, error_model="numpy")
 def _to_highest(field: FieldArrays, joints: np.ndarray, ascent: np.ndarray) -> None:
     """Direction to the centre of the highest neighbouring cell; zeros if none is."""
-    own = nearest_cell(field, joints)
+    own = _cell(field, joints)
     best = field.log_u[own]
     along = -1
     sign = 0
@@ -143,11 +179,23 @@ def _to_highest(field: FieldArrays, joints: np.ndarray, ascent: np.ndarray) -> N
             value = field.log_u[own + turn * field.strides[axis]]
             if value > best:
                 best, along, sign = value, axis, turn
-    ascent[:] = 0.0
-    if along < 0:
-        return
     for axis in range(joints.size):
+        ascent[axis] = 0.0
+        if along < 0:
+            continue
         index = _index(field, joints, axis) + (sign if axis == along else 0)
         centre = field.low[axis] + (index - 0.5) * field.spacing[axis]
         ascent[axis] = centre - joints[axis]
-    ascent /= np.sqrt((ascent**2).sum())
+    _normalise(ascent)
+
+
+@njit(cache=True, error_model="numpy")
+def _normalise(vector: np.ndarray) -> bool:
+    """Scale a vector to length 1; whether it has a length."""
+    square = 0.0
+    for component in vector:
+        square += component * component
+    if square > 0.0:
+        for axis in range(vector.size):
+            vector[axis] /= np.sqrt(square)
+    return square > 0.0

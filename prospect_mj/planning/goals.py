@@ -1,16 +1,35 @@
 """Goal configurations: several ways in which an arm can hold its hand at one pose."""
 
+from dataclasses import dataclass
+
 import mink
 import numpy as np
 
 from prospect_mj.robot import wam_ik
 from prospect_mj.robot.names import Side
 
-_SWIVELS = np.linspace(-np.pi, np.pi, 24, endpoint=False)
-_ROLLS = np.array([0.0, -0.35, 0.35, -0.7, 0.7, -1.2, 1.2, -2.0, 2.0, np.pi])
-"""Turns about the palm's axis, those near the wanted one closer together [rad]."""
 _APART = 0.5
 """Two goals nearer to each other than this are one [rad]."""
+
+
+@dataclass(frozen=True)
+class GoalSearch:
+    """How thoroughly the arm's redundancy is searched."""
+
+    swivels: int
+    """Of the elbow, over a whole turn."""
+    rolls: int
+    """Of the hand about the palm's axis, over a whole turn."""
+    limit_margin: float
+    """Kept from every joint limit [rad]."""
+    most: int
+    """Goals to plan for."""
+
+
+NATURAL = GoalSearch(swivels=24, rolls=12, limit_margin=0.1, most=6)
+"""Some, not too near to the joint limits for the fine motion that follows."""
+THOROUGH = GoalSearch(swivels=96, rolls=36, limit_margin=0.04, most=24)
+"""Whatever there is."""
 
 
 def goals(
@@ -18,8 +37,7 @@ def goals(
     pose: mink.SE3,
     reference: np.ndarray,
     free_roll: bool,
-    margin: float,
-    most: int,
+    how: GoalSearch = NATURAL,
 ) -> np.ndarray:
     """Joint angles that put a hand's grasp site at a pose, the most natural first.
 
@@ -28,27 +46,31 @@ def goals(
         pose: in the world.
         reference: joint angles (7,) [rad]; the nearer to these, the more natural.
         free_roll: whether the hand may be turned about the palm's axis.
-        margin: kept from every joint limit [rad].
-        most: how many to return.
+        how: how thoroughly to search.
 
     Returns:
-        Joint angles (n, 7) [rad], n <= `most`, all apart from each other; none if the
-        pose is out of reach.
+        Joint angles (n, 7) [rad]; none if the pose is out of reach.
     """
     turn = pose.rotation().as_matrix()
-    rolls = _ROLLS if free_roll else _ROLLS[:1]
+    swivels = _whole_turn(how.swivels)
+    rolls = _whole_turn(how.rolls) if free_roll else np.zeros(1)
     found = wam_ik.solutions_free_roll(
-        side, pose.translation(), turn, _SWIVELS, rolls, margin
+        side, pose.translation(), turn, swivels, rolls, how.limit_margin
     )
     order = np.argsort(np.linalg.norm(found - reference, axis=1), kind="stable")
-    return _thinned(found[order], most)
+    return found[order]
 
 
-def _thinned(candidates: np.ndarray, most: int) -> np.ndarray:
-    """The first `most` (n, 7) of candidates (m, 7) that are apart from each other."""
-    chosen = np.empty((0, candidates.shape[1]))
-    left = candidates
+def _whole_turn(n: int) -> np.ndarray:
+    return np.linspace(-np.pi, np.pi, n, endpoint=False)
+
+
+def apart(candidates: np.ndarray, most: int) -> list[int]:
+    """Numbers of the first `most` of candidates (n, 7) that differ from each other."""
+    chosen: list[int] = []
+    left = np.arange(len(candidates))
     while len(left) and len(chosen) < most:
-        chosen = np.vstack([chosen, left[:1]])
-        left = left[np.linalg.norm(left - left[0], axis=1) > _APART]
+        chosen.append(int(left[0]))
+        away = np.linalg.norm(candidates[left] - candidates[left[0]], axis=1)
+        left = left[away > _APART]
     return chosen

@@ -22,6 +22,8 @@ class GrossPlan:
     """Joint angles (n, 7) [rad], from where it starts to one of the goals."""
     goal: int
     """Number of this goal."""
+    last_stretch: float
+    """Arc length of the straight way from the goal cell to the goal [rad]."""
     field: HarmonicField | None = None
     """The harmonic function whose streamline it follows; None: it is straight."""
     goal_of: dict[Cell, int] = dataclasses.field(default_factory=dict)

@@ -37,7 +37,8 @@ class HarmonicField:
     grid: JointGrid
     """Where the cells are."""
     log_u: np.ndarray
-    """Of the grid's shape [1]: 0 at goals, -inf where no goal is connected."""
+    """Of the grid's shape [1]: 0 at goals and what they enclose; -inf where no goal
+    is connected."""
     sweeps: int
     """Number of sweeps that it took."""
     converged: bool

@@ -46,7 +46,8 @@ class Solution(NamedTuple):
     """The logarithm of a harmonic function."""
 
     log_u: np.ndarray
-    """Of the grid's shape [1]: 0 at goals, -inf where no goal is connected."""
+    """Of the grid's shape [1]: 0 at goals and what they enclose; -inf where no goal
+    is connected."""
     sweeps: int
     """Number of sweeps."""
     converged: bool
@@ -95,24 +96,31 @@ def solve(
     log_u = np.full(math.prod(padded), -np.inf)
     log_radix = math.log(relaxation.RADIX)
     log_u[unknowns.cells[1:]] = np.log(mantissa[1:]) + exponent[1:] * log_radix
-    inner = (slice(1, -1),) * free.ndim
-    return Solution(log_u.reshape(padded)[inner].copy(), sweeps, converged)
+    return Solution(log_u.reshape(padded)[_inner(free)].copy(), sweeps, converged)
+
+
+def _inner(mask: np.ndarray) -> tuple[slice, ...]:
+    """All but the border of a padded array."""
+    return (slice(1, -1),) * mask.ndim
 
 
 def _link(free: np.ndarray, goal: np.ndarray, spacing: np.ndarray) -> _Unknowns:
     """Number the cells that are connected to a goal."""
-    ids = np.pad(-(free | goal).astype(np.int32), 1)
+    ids = np.zeros([n + 2 for n in free.shape], np.int32)
     steps = np.array(ids.strides) // ids.itemsize
-    goals = np.flatnonzero(np.pad(goal, 1))
-    cells = np.zeros(1 + np.count_nonzero(ids), np.int32)
-    cells[1 : goals.size + 1] = goals
-    ids.ravel()[goals] = np.arange(1, goals.size + 1)
+    ids[_inner(free)] = -(free | goal).astype(np.int32)
+    n_open = np.count_nonzero(ids)
+    n_goals = np.count_nonzero(goal)
+    ids[_inner(free)][goal] = np.arange(1, n_goals + 1)
+    ids = ids.ravel()
+    cells = np.zeros(1 + n_open, np.int32)
+    cells[1 : n_goals + 1] = np.flatnonzero(ids > 0)
     neighbours = np.zeros((cells.size, 2 * steps.size), np.int32)
     offsets = np.concatenate([-steps, steps])
-    count = relaxation.link(ids.ravel(), cells, neighbours, goals.size, offsets)
+    count = relaxation.link(ids, cells, neighbours, n_goals, offsets)
     weights = np.tile(spacing**-2.0, 2)
     weights /= weights.sum()
-    return _Unknowns(goals.size, cells[:count], neighbours[:count], weights)
+    return _Unknowns(n_goals, cells[:count], neighbours[:count], weights)
 
 
 def _relax(

@@ -1,12 +1,14 @@
-"""Gross motion planning: a harmonic function over shoulder and elbow (Connolly 1993)."""
+"""Gross motion planning by a harmonic function over shoulder and elbow."""
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import mujoco
 import numpy as np
 
 from prospect_mj.planning.arm_body import GROSS_JOINTS, arm_body
-from prospect_mj.planning.clearance import arrays, clearances
+from prospect_mj.planning.arm_kernels import clearances
 from prospect_mj.planning.gross_plan import GrossPlan
 from prospect_mj.planning.joint_grid import JointGrid
 from prospect_mj.planning.query import Query, make_query
@@ -15,6 +17,15 @@ from prospect_mj.planning.settings import PlannerSettings
 from prospect_mj.planning.static_map import static_room
 from prospect_mj.planning.surroundings import KnownJars, Surroundings, body_with
 from prospect_mj.robot.names import Side
+
+
+class GoalSet(NamedTuple):
+    """Goals that are found when they are first needed."""
+
+    find: Callable[[], np.ndarray]
+    """Tells joint angles (n, 7) [rad], the preferred ones first."""
+    most: int = 1
+    """Of those that are clear, how many to plan for."""
 
 
 @dataclass(frozen=True)
@@ -45,26 +56,31 @@ class GrossPlanner:
         self._room(1)
 
     def plan(
-        self, start: np.ndarray, goals: np.ndarray, world: World
+        self, start: np.ndarray, goal_sets: Sequence[GoalSet], world: World
     ) -> GrossPlan | None:
         """A way from one configuration to any of several others.
 
         Args:
             start: joint angles (7,) [rad].
-            goals: joint angles (n, 7) [rad].
+            goal_sets: where to, the preferred set first.
             world: what moves.
 
         Returns:
             The way, or None if there is none that the finest grid shows.
         """
-        query = self._query(start, goals, world)
+        for level in range(self.settings.refinements + 1):
+            for goals in goal_sets:
+                query = self._query(start, goals.find(), goals.most, world)
+                plan = self._answer(query, level)
+                if plan is not None:
+                    return plan
+        return None
+
+    def _answer(self, query: Query, level: int) -> GrossPlan | None:
         if not len(query.goals):
             return None
-        plan, level = straight(query, self.settings), 0
-        while plan is None and level <= self.settings.refinements:
-            plan = search(query, *self._room(2**level), self.settings)
-            level += 1
-        return plan
+        plan = straight(query, self.settings) if level == 0 else None
+        return plan or search(query, *self._room(2**level), self.settings)
 
     def resume(
         self, plan: GrossPlan, start: np.ndarray, world: World
@@ -79,23 +95,26 @@ class GrossPlanner:
         Returns:
             The way along the same harmonic function, or None if something is in it.
         """
-        query = self._query(start, plan.query.goals, world)
-        return resumed(plan, query._replace(chart=plan.query.chart), self.settings)
+        moving = self._surroundings.moving(world.data, world.jars)
+        return resumed(plan, plan.query.again(start, moving), self.settings)
 
     def clearance(self, configurations: np.ndarray, world: World) -> np.ndarray:
         """Least distances (n,) [m] of configurations (n, 7) [rad] to anything."""
         body = body_with(self.body, world.jars)
         rows = self._rows(world)
-        return clearances(arrays(body), configurations, rows, 0.3)
+        return clearances(body.arrays, configurations, rows, 0.3)
 
     def _rows(self, world: World) -> np.ndarray:
         moving = self._surroundings.moving(world.data, world.jars)
         return np.concatenate([self._surroundings.fixed, moving])
 
-    def _query(self, start: np.ndarray, goals: np.ndarray, world: World) -> Query:
+    def _query(
+        self, start: np.ndarray, goals: np.ndarray, most: int, world: World
+    ) -> Query:
         body = body_with(self.body, world.jars)
         moving = self._surroundings.moving(world.data, world.jars)
-        return make_query(body, self._surroundings.fixed, moving, start, goals)
+        fixed = self._surroundings.fixed
+        return make_query(body, fixed, moving, start, goals, most, self.settings)
 
     def _room(self, refinement: int) -> tuple[JointGrid, np.ndarray]:
         if refinement not in self._rooms:

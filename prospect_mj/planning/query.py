@@ -4,17 +4,21 @@ from typing import NamedTuple
 
 import numpy as np
 
-from prospect_mj.planning.arm_body import GROSS_JOINTS, HAND, ArmBody
-from prospect_mj.planning.clearance import (
-    Arrays,
-    Chart,
-    arrays,
-    clearances,
-    wrist_at,
-)
+from prospect_mj.planning.arm_body import GROSS_JOINTS, ArmBody, Arrays
+from prospect_mj.planning.arm_kernels import HAND, clearances
+from prospect_mj.planning.goals import apart
+from prospect_mj.planning.occupancy import wrist_at
+from prospect_mj.planning.settings import PlannerSettings
 
 CEILING = 0.3
 """Larger clearances are not told apart [m]."""
+
+
+class Chart(NamedTuple):
+    """Wrist angles (n, 3) [rad] known at shoulder and elbow angles (n, 4) [rad]."""
+
+    gross: np.ndarray
+    wrists: np.ndarray
 
 
 class Query(NamedTuple):
@@ -37,32 +41,43 @@ class Query(NamedTuple):
     """Clearance of the start and of the goals (1 + k,) [m]."""
     chart: Chart
     """The wrist everywhere, from those of the start and of the goals."""
+    margin: float
+    """Clearance of a way [m]."""
+    zone: float
+    """Distance from an end up to which a way may be as near as that end [rad]."""
+
+    def again(self, start: np.ndarray, moving: np.ndarray) -> "Query":
+        """The same question from another start (7,) [rad], in a world that moved.
+
+        Args:
+            start: joint angles (7,) [rad].
+            moving: the solids that do (m, 18).
+        """
+        rows = np.concatenate([self.fixed, moving])
+        known = np.concatenate([start[None], self.goals])
+        ends = clearances(self.arm, known, rows, CEILING)
+        return self._replace(moving=moving, rows=rows, start=start, ends=ends)
 
     def configurations(self, gross: np.ndarray) -> np.ndarray:
         """Joint angles (n, 7) [rad] of gross joint angles (n, 4) [rad]."""
         wrists = np.empty((len(gross), 3))
-        for row, wrist in zip(gross, wrists, strict=True):
-            wrist_at(self.chart, row, wrist)
+        for k, wrist in enumerate(wrists):
+            wrist_at(self.chart, gross, k, wrist)
         return np.hstack([gross, wrists])
 
-    def too_near(
-        self, path: np.ndarray, goal: int, margin: float, zone: float
-    ) -> np.ndarray:
-        """Which points of a path are nearer to something than they may be.
+    def too_near(self, points: np.ndarray) -> np.ndarray:
+        """Which of points (n, 7) [rad] are nearer to something than they may be.
 
-        Args:
-            path: joint angles (n, 7) [rad] that end at a goal.
-            goal: number of this goal.
-            margin: clearance to keep [m]; within `zone` of an end only as much of it
-                as the end itself has.
-            zone: [rad].
+        They must keep the margin; near the start or a goal only as much of it as that
+        has itself.
         """
-        need = np.full(len(path), margin)
-        for end, room in ((path[0], self.ends[0]), (path[-1], self.ends[1 + goal])):
-            within = np.linalg.norm(path - end, axis=1) < zone
-            # A millimetre for what a step between two points may lose.
-            need[within] = np.minimum(need[within], room - 1e-3)
-        return clearances(self.arm, path, self.rows, margin) < need
+        need = np.full(len(points), self.margin)
+        for end, room in zip([self.start, *self.goals], self.ends, strict=True):
+            if room < self.margin:
+                within = np.linalg.norm(points - end, axis=1) < self.zone
+                # A millimetre for what a step between two points may lose.
+                need[within] = np.minimum(need[within], room - 1e-3)
+        return clearances(self.arm, points, self.rows, self.margin) < need
 
 
 def make_query(
@@ -71,6 +86,8 @@ def make_query(
     moving: np.ndarray,
     start: np.ndarray,
     goals: np.ndarray,
+    most: int,
+    settings: PlannerSettings,
 ) -> Query:
     """A question about one arm.
 
@@ -79,15 +96,33 @@ def make_query(
         fixed: solids that never move (n, 18).
         moving: solids that do (m, 18).
         start: joint angles (7,) [rad].
-        goals: joint angles (k, 7) [rad]; those that touch something are left out.
+        goals: joint angles (n, 7) [rad], the preferred ones first; those that touch
+            something are left out, and those that are much like an earlier one.
+        most: goals to keep.
+        settings: the clearance that a way keeps, and that all goals have if any has.
     """
-    arm, rows = arrays(body), np.concatenate([fixed, moving])
+    arm, rows = body.arrays, np.concatenate([fixed, moving])
     room = clearances(arm, goals, rows, CEILING)
-    goals, room = goals[room > 0.0], room[room > 0.0]
+    wide = room >= settings.path_margin
+    clear = wide if wide.any() else room > 0.0
+    chosen = np.flatnonzero(clear)[apart(goals[clear], most)]
+    goals, room = goals[chosen], room[chosen]
     known = np.concatenate([start[None], goals])
     chart = Chart(known[:, :GROSS_JOINTS].copy(), known[:, GROSS_JOINTS:].copy())
     here = clearances(arm, start[None], rows, CEILING)
     beyond = body.spheres[body.first[HAND] :]
     reach = (np.linalg.norm(beyond[:, :3], axis=1) + beyond[:, 3]).max()
     ends = np.concatenate([here, room])
-    return Query(arm, fixed, moving, rows, reach, start, goals, ends, chart)
+    return Query(
+        arm,
+        fixed,
+        moving,
+        rows,
+        reach,
+        start,
+        goals,
+        ends,
+        chart,
+        settings.path_margin,
+        settings.end_zone,
+    )

@@ -99,6 +99,16 @@ def _shifted(mantissa: float, steps: int) -> float:
 
 
 @njit(cache=True, error_model="numpy")
+def _in_range(mantissa: float, exponent: int) -> tuple[float, int]:
+    """The same number with a mantissa between 2^-480 and 2^480."""
+    if mantissa < _LOW:
+        return mantissa * RADIX, exponent - 1
+    if mantissa > _HIGH:
+        return mantissa * _INVERSE, exponent + 1
+    return mantissa, exponent
+
+
+@njit(cache=True, error_model="numpy")
 def start(
     n_goals: int,
     neighbours: np.ndarray,
@@ -117,11 +127,7 @@ def start(
             if neighbours[value, k] > value:
                 onward += weights[k]
         estimate = mean / (1.0 - _ONWARD * onward)
-        if estimate < _LOW:
-            estimate *= RADIX
-            top -= 1
-        mantissa[value] = estimate
-        exponent[value] = top
+        mantissa[value], exponent[value] = _in_range(estimate, top)
 
 
 @njit(cache=True, error_model="numpy")
@@ -180,14 +186,7 @@ def sweep(
         if own == 0 and new > 1.0:
             new = 1.0
         largest = max(largest, abs(new - old) / new)
-        if new < _LOW:
-            new *= RADIX
-            own -= 1
-        elif new > _HIGH:
-            new *= _INVERSE
-            own += 1
-        mantissa[value] = new
-        exponent[value] = own
+        mantissa[value], exponent[value] = _in_range(new, own)
     return largest
 
 

@@ -1,8 +1,8 @@
-"""The search for a way on one grid: solve, walk the streamline, close what it touches."""
+"""The search for a way on one grid: solve, walk the streamline, close what touches."""
 
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,11 +13,22 @@ from prospect_mj.planning.joint_grid import JointGrid
 from prospect_mj.planning.occupancy import free_cells
 from prospect_mj.planning.query import Query
 from prospect_mj.planning.settings import PlannerSettings
+from prospect_mj.planning.sight import cells_in_sight, line
+from prospect_mj.planning.static_map import shoulders_and_elbows
 from prospect_mj.planning.streamline import streamline
 
-_CORNERS = np.array(list(product((0, 1), repeat=GROSS_JOINTS)))
+_MOST_ENTRIES = 6
+"""Cells near the start that are tried besides the start itself."""
 _LONGEST = 60.0
 """Streamlines that are longer are given up [rad]."""
+
+
+class Way(NamedTuple):
+    """A way along a streamline; see `GrossPlan`."""
+
+    path: np.ndarray
+    goal: int
+    last_stretch: float
 
 
 def straight(query: Query, settings: PlannerSettings) -> GrossPlan | None:
@@ -27,8 +38,8 @@ def straight(query: Query, settings: PlannerSettings) -> GrossPlan | None:
         if away[goal] > settings.straight:
             break
         way = line(query.start, query.goals[goal], settings.step)
-        if not too_near(query, way, int(goal), settings).any():
-            return GrossPlan(query, way, int(goal))
+        if not query.too_near(way).any():
+            return GrossPlan(query, way, int(goal), away[goal])
     return None
 
 
@@ -38,9 +49,14 @@ def resumed(
     """The way of a plan from another start in another world, if it is still clear."""
     if plan.field is None:
         return straight(query, settings)
-    for path, goal in ways(query, plan.field, plan.goal_of, [], settings):
-        if not too_near(query, path, goal, settings).any():
-            return replace(plan, query=query, path=path, goal=goal)
+    if plan.length_left(query.start) < plan.last_stretch + settings.step:
+        # Past the goal cell: a streamline from here may well lead to another goal.
+        way = line(query.start, query.goals[plan.goal], settings.step)
+        if not query.too_near(way).any():
+            return replace(plan, query=query, path=way)
+    for way in ways(query, plan.field, plan.goal_of, np.empty((0, 7)), settings):
+        if not query.too_near(way.path).any():
+            return replace(plan, query=query, **way._asdict())
     return None
 
 
@@ -61,12 +77,13 @@ def ways(
     query: Query,
     field: HarmonicField,
     goal_of: dict[Cell, int],
-    entries: list[np.ndarray],
+    entries: np.ndarray,
     settings: PlannerSettings,
-) -> Iterator[tuple[np.ndarray, int]]:
-    """Ways (n, 7) [rad] along streamlines to a goal, each with the goal's number.
+) -> Iterator[Way]:
+    """Ways along streamlines to a goal.
 
-    The first begins at the start itself; others go straight to an entry (7,) first.
+    The first begins at the start itself; others go straight to one of
+    some entries (k, 7) [rad] first.
     """
     for begin in [query.start, *entries]:
         gross = begin[:GROSS_JOINTS]
@@ -78,20 +95,8 @@ def ways(
         path[0] = begin
         before = line(query.start, begin, settings.step)[:-1]
         behind = line(path[-1], query.goals[goal], settings.step)[1:]
-        yield np.concatenate([before, path, behind]), goal
-
-
-def line(first: np.ndarray, last: np.ndarray, step: float) -> np.ndarray:
-    """Points (n, 7) [rad] of a straight line, at most a step apart."""
-    n = int(np.ceil(np.linalg.norm(last - first) / step))
-    return np.linspace(first, last, n + 1)
-
-
-def too_near(
-    query: Query, path: np.ndarray, goal: int, settings: PlannerSettings
-) -> np.ndarray:
-    """Which points of a path are nearer to something than the settings allow."""
-    return query.too_near(path, goal, settings.path_margin, settings.end_zone)
+        last = float(np.linalg.norm(query.goals[goal] - path[-1]))
+        yield Way(np.concatenate([before, path, behind]), goal, last)
 
 
 class _Search:
@@ -103,69 +108,63 @@ class _Search:
         settings: PlannerSettings,
     ) -> None:
         self._query, self._grid, self._settings = query, grid, settings
-        axes = tuple(grid.centres(j) for j in range(grid.n_joints))
-        self._free = free_cells(
+        free = free_cells(
             query.arm,
-            axes,
+            *shoulders_and_elbows(grid),
             query.fixed,
             query.moving,
             room,
-            query.reach,
             query.chart,
+            query.reach,
             settings.cell_margin,
         )
+        self._free = free.reshape(grid.shape)
         self._goal_of = self._goal_cells()
 
     def run(self) -> GrossPlan | None:
+        entries = self._in_sight(self._query.start)
         for _ in range(self._settings.repairs):
             if not self._goal_of:
                 return None
             field = self._solve()
-            closing = None
-            entries = self._entries(field)
-            for path, goal in ways(
-                self._query, field, self._goal_of, entries, self._settings
-            ):
-                near = too_near(self._query, path, goal, self._settings)
+            touched, furthest = None, -1
+            for way in self._ways(field, entries):
+                near = self._query.too_near(way.path)
                 if not near.any():
-                    return GrossPlan(self._query, path, goal, field, self._goal_of)
-                closing = path[np.argmax(near)] if closing is None else closing
-            if closing is None:
+                    return GrossPlan(self._query, *way, field, self._goal_of)
+                first = int(np.argmax(near))
+                if first > furthest:
+                    touched, furthest = way.path[first], first
+            if touched is None:
                 return None
-            self._close(closing)
+            self._close(touched)
         return None
+
+    def _ways(self, field: HarmonicField, entries: list[Cell]) -> Iterator[Way]:
+        """Ways along streamlines from the start itself and from cells round it."""
+        open_ones = [c for c in entries if self._free[c] and field.connected[c]]
+        best = sorted(open_ones, key=lambda cell: -field.log_u[cell])[:_MOST_ENTRIES]
+        centres = self._query.configurations(
+            self._grid.centre(np.reshape(best, (-1, GROSS_JOINTS)))
+        )
+        return ways(self._query, field, self._goal_of, centres, self._settings)
+
+    def _in_sight(self, joints: np.ndarray) -> list[Cell]:
+        step = self._settings.step
+        return cells_in_sight(self._query, self._grid, self._free, joints, step)
 
     def _solve(self) -> HarmonicField:
         goal = np.zeros(self._grid.shape, bool)
         goal[tuple(np.array(list(self._goal_of)).T)] = True
-        return harmonic_field(self._grid, self._free, goal)
+        return harmonic_field(self._grid, self._free, goal, self._settings.solver)
 
     def _goal_cells(self) -> dict[Cell, int]:
-        """Cells round the goals from which the way to the goal is straight."""
+        """Cells from which the way to a goal is straight."""
         found: dict[Cell, int] = {}
         for number, goal in enumerate(self._query.goals):
-            for cell in self._round(goal):
-                way = line(self._centre(cell), goal, self._settings.step)
-                near = too_near(self._query, way, number, self._settings)
-                if cell not in found and not near.any():
-                    found[cell] = number
+            for cell in self._in_sight(goal):
+                found.setdefault(cell, number)
         return found
-
-    def _entries(self, field: HarmonicField) -> list[np.ndarray]:
-        """Centres (7,) [rad] of the cells round the start, the best first."""
-        cells = self._round(self._query.start)
-        return [self._centre(c) for c in sorted(cells, key=lambda c: -field.log_u[c])]
-
-    def _round(self, joints: np.ndarray) -> list[Cell]:
-        """Free cells whose centres surround a configuration."""
-        base = np.floor(self._grid.coordinates(joints[:GROSS_JOINTS])).astype(int)
-        cells = base + _CORNERS
-        inside = ((cells >= 0) & (cells < self._grid.shape)).all(axis=1)
-        return [c for c in map(tuple, cells[inside].tolist()) if self._free[c]]
-
-    def _centre(self, cell: Cell) -> np.ndarray:
-        gross = self._grid.centre(np.array(cell))
-        return self._query.configurations(gross[None])[0]
 
     def _close(self, joints: np.ndarray) -> None:
         """Close the cell in which a path came too near to something."""

@@ -1,6 +1,8 @@
 """Settings of harmonic gross motion planning."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+
+from prospect_mj.planning.laplace import SolverSettings
 
 
 @dataclass(frozen=True)
@@ -23,5 +25,7 @@ class PlannerSettings:
     """Goals nearer than this are gone to straight, if nothing is between [rad]."""
     repairs: int = 30
     """How often cells where a path touches are closed before the grid is given up."""
-    limit_margin: float = 0.03
-    """Kept from every joint limit [rad], as the inverse kinematics does."""
+    solver: SolverSettings = field(
+        default_factory=lambda: SolverSettings(over_relaxation=1.7, tolerance=1e-2)
+    )
+    """Of Laplace's equation; that no maximum is left matters more than many digits."""

@@ -9,16 +9,13 @@ from pathlib import Path
 import numpy as np
 import platformdirs
 
-from prospect_mj.planning.arm_body import ArmBody
-from prospect_mj.planning.clearance import arrays
+from prospect_mj.planning import kernel_cache
+from prospect_mj.planning.arm_body import GROSS_JOINTS, ArmBody
 from prospect_mj.planning.joint_grid import JointGrid
 from prospect_mj.planning.occupancy import room_among
 
 MOST_ROOM = 0.60
 """Larger distances are not told apart: no hand with a jar reaches further [m]."""
-
-_FORMAT = "room-1"
-"""Changes with the meaning of what is stored."""
 
 
 def static_room(
@@ -33,20 +30,27 @@ def static_room(
         margin: that the links must keep [m].
 
     Returns:
-        Distances [m] of the grid's shape, float32.
+        Distances (m, n) [m], float32, a row for each of the shoulder's cells.
     """
     path = _folder() / f"{_content_hash(body, fixed, grid, margin)}.npy"
     with contextlib.suppress(OSError, ValueError):
         stored = np.load(path)
-        if stored.shape == grid.shape and stored.dtype == np.float32:
+        if stored.size == grid.size and stored.dtype == np.float32:
             return stored
-    axes = tuple(grid.centres(j) for j in range(grid.n_joints))
-    room = room_among(arrays(body), axes, fixed, margin, MOST_ROOM)
+    shoulders, elbows = shoulders_and_elbows(grid)
+    room = room_among(body.arrays, shoulders, elbows, fixed, margin, MOST_ROOM)
     room = room.astype(np.float32)
     # Without a writable cache it is computed again next time.
     with contextlib.suppress(OSError):
         _store(path, room)
     return room
+
+
+def shoulders_and_elbows(grid: JointGrid) -> tuple[np.ndarray, np.ndarray]:
+    """Angles of joints 1 to 3 (m, 3) and of joint 4 (n,) [rad] at a grid's centres."""
+    axes = [grid.centres(j) for j in range(GROSS_JOINTS - 1)]
+    mesh = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
+    return mesh.reshape(-1, GROSS_JOINTS - 1), grid.centres(GROSS_JOINTS - 1)
 
 
 def _folder() -> Path:
@@ -57,8 +61,8 @@ def _content_hash(
     body: ArmBody, fixed: np.ndarray, grid: JointGrid, margin: float
 ) -> str:
     """SHA-256 of all that the result depends on."""
-    digest = hashlib.sha256(_FORMAT.encode())
-    for part in (*arrays(body), fixed, grid.low, grid.high, grid.cells, margin):
+    digest = hashlib.sha256(kernel_cache.sources().encode())
+    for part in (*body.arrays, fixed, grid.low, grid.high, grid.cells, margin):
         content = np.ascontiguousarray(part)
         digest.update(f"{content.dtype}{content.shape}".encode())
         digest.update(content.tobytes())

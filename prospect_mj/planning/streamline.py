@@ -3,11 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 
 from prospect_mj.errors import InvalidValue
-from prospect_mj.planning.ascent import ascend, nearest_cell
-from prospect_mj.planning.harmonic_field import FieldArrays, HarmonicField
+from prospect_mj.planning.ascent import ascend, follow
+from prospect_mj.planning.harmonic_field import HarmonicField
 
 # Largest step as a share of the narrowest cell.
 _CELL_SHARE = 0.25
@@ -80,36 +79,3 @@ def _configuration(field: HarmonicField, joints: np.ndarray) -> np.ndarray:
         expected = f"{field.grid.n_joints} finite angles"
         raise InvalidValue("configuration [rad]", joints.tolist(), expected)
     return joints
-
-
-@njit(cache=True, error_model="numpy")
-def follow(
-    field: FieldArrays, step: float, patience: int, points: np.ndarray
-) -> tuple[int, bool]:
-    """Fill points (m, n_joints) [rad] from the first on.
-
-    Where `patience` steps have brought no higher cell, it climbs from cell to cell
-    until one is higher than all before. So each round ends in a higher cell, of which
-    there are finitely many.
-
-    Returns:
-        Number of points, and whether the last one lies in a goal cell.
-    """
-    ascent = np.zeros(points.shape[1])
-    best = field.log_u[nearest_cell(field, points[0])]
-    if best == -np.inf:
-        return 1, False
-    waited = 0
-    for i in range(points.shape[0]):
-        value = field.log_u[nearest_cell(field, points[i])]
-        if value == 0.0:
-            return i + 1, True
-        waited = 0 if value > best else waited + 1
-        best = max(best, value)
-        if i + 1 == points.shape[0]:
-            break
-        ascend(field, points[i], step, waited > patience, ascent)
-        if not ascent.any():
-            return i + 1, False
-        points[i + 1] = points[i] + step * ascent
-    return points.shape[0], False

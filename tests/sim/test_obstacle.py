@@ -1,26 +1,23 @@
 """A post that can stand in the way: same in scene and twin, movable, off by default."""
 
-import mujoco
 import numpy as np
 import pytest
-from rig import Rig
+from reach_runs import Bench
 
-from prospect_mj.control.gross_motion import GrossMotion
 from prospect_mj.control.kinematics import KinematicTwin
+from prospect_mj.control.straight_reach import StraightReach
 from prospect_mj.errors import InvalidValue
 from prospect_mj.robot import names, posture
 from prospect_mj.sim.props import Obstacle, Props
 from prospect_mj.sim.scene import SceneSettings, compile_scene, compile_twin
-from prospect_mj.sim.simulation import Simulation
+from prospect_mj.sim.simulation import JarPlacement, Simulation
 
 POST = Obstacle(radius=0.03, height=0.5)
 WITH = SceneSettings(props=Props(obstacle=POST))
 PLACE = np.array([0.55, 0.30])
 
 
-@pytest.fixture(scope="module")
-def obstructed():
-    return Rig(WITH)
+NOMINAL = JarPlacement(WITH.props.pedestal.nominal, 0.0, lid_left=True)
 
 
 def geoms(model):
@@ -64,18 +61,13 @@ def test_scene_and_twin_have_it_upright_on_the_table_at_its_place(placed):
         assert np.abs(post.xmat[[2, 5, 8]]) == pytest.approx([0, 0, 1])
 
 
-def test_a_reset_takes_it_back_to_its_own_place(obstructed):
-    obstructed.simulation.place_obstacle(PLACE)
-    obstructed.present()
-    post = obstructed.data.geom("obstacle/post")
+def test_a_reset_takes_it_back_to_its_own_place_where_it_touches_nothing():
+    simulation = Simulation(WITH)
+    simulation.place_obstacle(PLACE)
+    simulation.reset(NOMINAL)
+    post = simulation.data.geom("obstacle/post")
     assert post.xpos[:2] == pytest.approx(POST.position)
-
-
-def test_at_its_own_place_it_touches_nothing(obstructed):
-    obstructed.present()
-    mujoco.mj_forward(obstructed.model, obstructed.data)
-    touching = obstructed.data.contact.geom[: obstructed.data.ncon].ravel()
-    assert obstructed.model.geom("obstacle/post").id not in touching
+    assert post.id not in simulation.data.contact.geom[: simulation.data.ncon]
 
 
 def test_a_scene_without_one_says_so():
@@ -87,22 +79,23 @@ def test_a_scene_without_one_says_so():
 
 @pytest.mark.parametrize("told", [True, False])
 @pytest.mark.parametrize("side", names.SIDES)
-def test_an_arm_keeps_clear_of_it_exactly_if_it_is_told(obstructed, side, told):
+def test_an_arm_keeps_clear_of_it_exactly_if_it_is_told(side, told):
     """A straight reach whose way is barred stops short, or pushes against the post."""
-    rig = obstructed
-    rig.present()
-    start = rig.arms[side].grasp_pose()
-    forward = np.array([0.30, 0.0, 0.0])
+    bench = Bench()
+    bench.simulation.reset(NOMINAL)
+    bench.twin.update(bench.torso.read())
+    start = bench.twin.grasp_pose(side)
+    forward = np.array([0.40, 0.0, 0.0])
     target = start.copy()
     target.wxyz_xyz[4:] += forward
     between = (start.translation() + forward / 2)[:2]
-    rig.simulation.place_obstacle(between)
-    rig.twin.place_obstacle(between if told else np.array(POST.position))
-    rig.sense()
-    post, touched = rig.model.geom("obstacle/post").id, []
-
-    def watch():
-        touched.append(post in rig.data.contact.geom[: rig.data.ncon])
-
-    rig.drive(GrossMotion(rig.arms[side], target, posture.home(side)), hook=watch)
+    bench.simulation.place_obstacle(between)
+    if told:
+        bench.twin.place_obstacle(between)
+    post, touched = bench.model.geom("obstacle/post").id, []
+    bench.simulation.observer = lambda data: touched.append(
+        post in data.contact.geom[: data.ncon]
+    )
+    bench.drive(StraightReach(bench.arms[side], target, posture.home(side)))
+    assert len(touched) > 100
     assert any(touched) is not told

@@ -1,0 +1,31 @@
+"""Where numba keeps the planner's compiled code: one folder per state of its sources.
+
+numba compiles a function again when its own file has changed, but not when a function
+that it calls has changed in another file. A folder named for the content of all files
+leaves no stale code behind; it is the user's, so that a read-only installation works.
+"""
+
+import hashlib
+import os
+from pathlib import Path
+
+import numba
+import platformdirs
+
+
+def use() -> None:
+    """Let numba cache in this folder what is compiled from now on."""
+    numba.config.CACHE_DIR = str(_root() / f"kernels-{sources()[:16]}")
+
+
+def _root() -> Path:
+    chosen = os.environ.get("NUMBA_CACHE_DIR")
+    return Path(chosen) if chosen else platformdirs.user_cache_path("prospect_mj")
+
+
+def sources() -> str:
+    """SHA-256 of this package's files, as hexadecimal digits."""
+    digest = hashlib.sha256()
+    for path in sorted(Path(__file__).parent.glob("*.py")):
+        digest.update(path.name.encode() + path.read_bytes())
+    return digest.hexdigest()
