@@ -46,3 +46,11 @@ class RenderingUnavailable(ProspectError):
 
 class SimulationDiverged(ProspectError):
     """MuJoCo raised a warning (bad acceleration, full buffers): the physics is void."""
+
+
+class UnforeseenEvent(ProspectError):
+    """The robot observed what its discrete-event model says can't happen."""
+
+    def __init__(self, event: str, state: str) -> None:
+        """Name the event and the state in which it was not foreseen."""
+        super().__init__(f"unforeseen event: {event}; it can't happen in: {state}")

@@ -14,6 +14,8 @@ import numpy as np
 from prospect_mj.agent import StateFeatureGenerator
 from prospect_mj.cli import train
 from prospect_mj.errors import RenderingUnavailable
+from prospect_mj.supervisor.predicates import PRESENTED, carrying
+from prospect_mj.supervisor.supervisor import Supervisor
 
 # (needed state, next state) of the grasps and swaps, in the paper's order.
 MOVES = {
@@ -42,6 +44,7 @@ class IdealEnv:
     def __init__(self, config, noise=0.0, seconds_per_action=0.0):
         self.generator = StateFeatureGenerator(config.features)
         self.max_actions = config.max_actions
+        self.supervisor = Supervisor(config.supervisor, config.shaping)
         self.noise = noise
         self.seconds_per_action = seconds_per_action
         self.counts = counts_per_orientation()
@@ -49,7 +52,7 @@ class IdealEnv:
 
     def reset(self, *, seed, options):
         rng = np.random.default_rng(seed)
-        self.orientation = options["orientation"]
+        self.orientation, self.trial = options["orientation"], options.get("trial", 0)
         jitter = 1 + self.noise * rng.standard_normal(100)
         self.histogram = self.counts[self.orientation] * np.abs(jitter)
         self.holding, self.n_actions = "none", 0
@@ -73,8 +76,10 @@ class IdealEnv:
         return self.generator.generate(self.histogram, self.holding)
 
     def _info(self, executed, result, sim_seconds, inserted=False):
+        held = self.holding != "none"
+        predicates = carrying(self.holding) if held else PRESENTED
         return {
-            "action_mask": np.ones(6, dtype=np.int8),
+            "action_mask": self.supervisor.choice_set(predicates, self.trial),
             "orientation": self.orientation,
             "holding": self.holding,
             "executed": executed,

@@ -17,8 +17,13 @@ CONFINED = {
     "dm_control": ("prospect_mj/sim/scene.py",),
     "gymnasium": ("prospect_mj/envs/",),
     "matplotlib": (
+        "prospect_mj/experiment/automaton_plot.py",
         "prospect_mj/experiment/plots.py",
         "prospect_mj/experiment/vision_plots.py",
+    ),
+    "networkx": (
+        "prospect_mj/experiment/automaton_graph.py",
+        "prospect_mj/supervisor/automaton.py",
     ),
     "rerun": (),
 }

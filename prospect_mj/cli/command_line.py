@@ -12,11 +12,13 @@ from typing import TypeVar
 
 import tyro
 
-from prospect_mj.errors import ProspectError, SimulationDiverged
+from prospect_mj.errors import ProspectError, SimulationDiverged, UnforeseenEvent
 
 FAILED = 1
 BAD_INPUT = 2
 INTERRUPTED = 130
+
+_NO_INPUTS_FAULT = (SimulationDiverged, UnforeseenEvent)
 
 _Options = TypeVar("_Options")
 _ESCAPE = re.compile(r"\x1b\[[0-9;]*m")
@@ -93,7 +95,7 @@ def run(command: Callable[[], None], interrupted: str = "interrupted") -> int:
 def _exit_code(error: Exception) -> int:
     """A missing model file is both kinds of error; it counts as input."""
     bad_input = isinstance(error, ProspectError)
-    bad_input = bad_input and not isinstance(error, SimulationDiverged)
+    bad_input = bad_input and not isinstance(error, _NO_INPUTS_FAULT)
     return BAD_INPUT if bad_input else FAILED
 
 

@@ -16,14 +16,14 @@ from prospect_mj.agent.features import (
     Holding,
     StateFeatureGenerator,
 )
+from prospect_mj.envs.reset_options import ResetOptions
 from prospect_mj.errors import InvalidChoice, InvalidValue
-from prospect_mj.supervisor.supervisor import Mode
+from prospect_mj.supervisor.supervisor import Mode, Supervisor
 from prospect_mj.task.pick_place import ObjectPose, PickPlaceTask, TaskSettings
 from prospect_mj.task.presentation import (
     ORIENTATIONS,
     Orientation,
     PresentationSettings,
-    checked_orientation,
 )
 
 
@@ -33,6 +33,8 @@ class PickPlaceSettings:
 
     supervisor: Mode = "none"
     """Choice set: `none` = all six actions, `safe`, `productive`."""
+    shaping: tuple[str, ...] = ()
+    """Actions not in the choice set of the first trials, as `<action>:<trials>`."""
     object_pose: ObjectPose = "vision"
     """Source of the jar's first pose; `truth` is an ablation."""
     max_actions: int = 10
@@ -43,9 +45,10 @@ class PickPlaceSettings:
     """Spread of the jar's place and of the lamp's brightness."""
 
     def __post_init__(self) -> None:
-        """Refuse a trial without actions."""
+        """Refuse a trial without actions, a mode or a schedule that can't be."""
         if not 1 <= self.max_actions <= 1000:
             raise InvalidValue("max_actions", self.max_actions, "1 to 1000")
+        Supervisor(self.supervisor, self.shaping)
 
 
 class PickPlaceEnv(gymnasium.Env[NDArray[np.float64], int]):
@@ -69,7 +72,7 @@ class PickPlaceEnv(gymnasium.Env[NDArray[np.float64], int]):
     | 4 | insert left: insert the jar that the left hand holds |
     | 5 | insert right |
 
-    An action that the grasp predicates do not allow moves nothing and changes nothing.
+    An action that the supervisor does not allow moves nothing and changes nothing.
 
     ## Observation space
     `Box((303,))`: with v the scaled 100-bin intensity histogram of the jar's pixels and
@@ -80,7 +83,9 @@ class PickPlaceEnv(gymnasium.Env[NDArray[np.float64], int]):
     Arms at rest, hands open. The jar's position is uniform within 2 cm in x and y and
     1 cm in z of its nominal, its yaw within 10 degrees, the lamp's brightness within
     10 %. `reset(options={"orientation": "left" | "right"})` sets the side on which the
-    lid lies; otherwise it is drawn.
+    lid lies; otherwise it is drawn. `reset(options={"trial": n})` tells the number of
+    the trial, from 0, which a shaping schedule counts by; otherwise it is one more than
+    that of the trial before.
 
     ## Rewards
     -1 per action.
@@ -93,7 +98,7 @@ class PickPlaceEnv(gymnasium.Env[NDArray[np.float64], int]):
 
     | key | meaning |
     |---|---|
-    | `action_mask` | (6,) int8, the choice set of the supervisor's mode |
+    | `action_mask` | (6,) int8, the supervisor's choice set by mode and schedule |
     | `orientation` | the side on which the lid lies |
     | `holding` | "none", "left" or "right": the grasp predicates |
     | `executed` | whether the action was run (False from `reset`) |
@@ -125,6 +130,7 @@ status of the look: "found", "unsure" or "not_found" |
         self.task = PickPlaceTask(
             TaskSettings(
                 supervisor=self.settings.supervisor,
+                shaping=self.settings.shaping,
                 object_pose=self.settings.object_pose,
                 presentation=self.settings.presentation,
             )
@@ -134,6 +140,7 @@ status of the look: "found", "unsure" or "not_found" |
         self.observation_space = spaces.Box(low, high, dtype=np.float64)
         self.action_space = spaces.Discrete(len(Action))
         self._orientation: Orientation = ORIENTATIONS[0]
+        self._trial = -1
         self._n_actions: int | None = None
         self._histogram: NDArray[np.int64] = np.zeros(N_BINS, np.int64)
 
@@ -154,20 +161,18 @@ status of the look: "found", "unsure" or "not_found" |
 
         Raises:
             InvalidChoice: on an unknown option or orientation.
+            InvalidValue: on a trial that is no number from 0.
         """
         super().reset(seed=seed)
-        self._orientation = self._presented(options or {})
+        told = ResetOptions.read(options)
+        self._orientation = told.orientation or self._drawn_orientation()
+        self._trial = self._trial + 1 if told.trial is None else told.trial
         look = self.task.reset(self._orientation, self.np_random)
         self._histogram = look.histogram
         self._n_actions = 0
         return self._observation(), self._info(False, look.status, 0.0)
 
-    def _presented(self, options: dict[str, Any]) -> Orientation:
-        for name in options:
-            if name != "orientation":
-                raise InvalidChoice("reset option", name, ["orientation"])
-        if "orientation" in options:
-            return checked_orientation(options["orientation"])
+    def _drawn_orientation(self) -> Orientation:
         return ORIENTATIONS[int(self.np_random.integers(len(ORIENTATIONS)))]
 
     def step(
@@ -204,7 +209,7 @@ status of the look: "found", "unsure" or "not_found" |
         self, executed: bool, result: str | ActionResult, sim_seconds: float
     ) -> dict[str, Any]:
         return {
-            "action_mask": self.task.supervisor.choice_set(self.task.holder),
+            "action_mask": self._choice_set(),
             "orientation": self._orientation,
             "holding": self._holding,
             "executed": executed,
@@ -215,7 +220,10 @@ status of the look: "found", "unsure" or "not_found" |
 
     def action_masks(self) -> NDArray[np.bool_]:
         """The choice set as booleans (6,), for agents that ask the environment."""
-        return self.task.supervisor.choice_set(self.task.holder).astype(bool)
+        return self._choice_set().astype(bool)
+
+    def _choice_set(self) -> NDArray[np.int8]:
+        return self.task.supervisor.choice_set(self.task.predicates, self._trial)
 
     def close(self) -> None:
         """Close the eyes."""

@@ -9,11 +9,11 @@ from prospect_mj.agent.features import N_FEATURES, FeatureSettings
 from prospect_mj.agent.settings import LearnerSettings
 from prospect_mj.errors import InvalidChoice, InvalidValue, ProspectError
 from prospect_mj.experiment.records import ACTION_NAMES
+from prospect_mj.supervisor.supervisor import Mode, Supervisor
 
-# As `task` and `supervisor` have them, without their imports of the physics: a
-# mistyped option should not have to wait for these.
+# As `task` has them, without its imports of the physics: a mistyped option should not
+# have to wait for these.
 Orientation = Literal["left", "right"]
-Supervisor = Literal["none", "safe", "productive"]
 ObjectPose = Literal["vision", "truth"]
 
 ORIENTATIONS: tuple[Orientation, ...] = get_args(Orientation)
@@ -34,9 +34,12 @@ class TrainConfig:
     """The hand that the pretraining makes dominant: the lid lies on its side."""
     seed: int = 0
     """Equal seeds give equal runs, bit for bit."""
-    supervisor: Supervisor = "none"
+    supervisor: Mode = "none"
     """Which actions the learner may choose from: none: all six; safe: not the
     dangerous ones; productive: not the useless ones either."""
+    shaping: tuple[str, ...] = ()
+    """Actions that the learner may not choose in the first trials, such as
+    swap-left-to-right:200 swap-right-to-left:200."""
     object_pose: ObjectPose = "vision"
     """Where the controllers get the jar's pose from; truth is an ablation."""
     max_actions: int = 10
@@ -55,7 +58,7 @@ class TrainConfig:
         check_integer("seed", self.seed, 0, _LARGEST_SEED)
         check_integer("actions per trial", self.max_actions, 1, 1000)
         _check_choice("dominant hand", self.dominant, Orientation)
-        _check_choice("supervisor", self.supervisor, Supervisor)
+        Supervisor(self.supervisor, self.shaping)
         _check_choice("object pose", self.object_pose, ObjectPose)
         if not isinstance(self.bootstrap_at_truncation, bool):
             raise InvalidValue(
@@ -84,6 +87,7 @@ class TrainConfig:
             return cls(
                 **{
                     **plain,
+                    "shaping": tuple(plain["shaping"]),
                     "features": FeatureSettings(**plain["features"]),
                     "learner": LearnerSettings(**plain["learner"]),
                 }

@@ -17,7 +17,7 @@ class Environment(Protocol):
     def reset(
         self, *, seed: int, options: dict[str, Any]
     ) -> tuple[NDArray[np.float64], Info]:
-        """Present the jar; `options["orientation"]` is the side of the lid."""
+        """Present the jar: `orientation` is the side of the lid, `trial` its number."""
         ...
 
     def step(self, action: int) -> tuple[NDArray[np.float64], float, bool, bool, Info]:
@@ -48,6 +48,7 @@ def make_environment(config: TrainConfig) -> Environment:
 
     settings = PickPlaceSettings(
         supervisor=config.supervisor,
+        shaping=config.shaping,
         object_pose=config.object_pose,
         max_actions=config.max_actions,
         features=config.features,

@@ -190,7 +190,7 @@ def skills_in_parallel(
 ) -> list[SkillRun]:
     """`run_skills` over `n` seeds on several processes."""
     seeds = range(first_seed, first_seed + n)
-    return _in_parallel(partial(run_skills, settings), seeds, jobs)
+    return in_parallel(partial(run_skills, settings), seeds, jobs)
 
 
 def random_policy_in_parallel(
@@ -198,15 +198,19 @@ def random_policy_in_parallel(
 ) -> list[PolicyEpisode]:
     """`run_random_policy` over `n` seeds on several processes."""
     seeds = range(first_seed, first_seed + n)
-    return _in_parallel(partial(run_random_policy, settings), seeds, jobs)
+    return in_parallel(partial(run_random_policy, settings), seeds, jobs)
 
 
-def _in_parallel(
+def in_parallel(
     study: Callable[[Sequence[int]], list[_Found]], seeds: Sequence[int], jobs: int
 ) -> list[_Found]:
-    """What `study` finds at each of the seeds, in their order.
+    """What a study finds at each of the seeds, in their order.
 
-    A share has several seeds, as each compiles the scene once.
+    Args:
+        study: what finds something for each seed of a share; it is given several, as
+            each share compiles the scene once.
+        seeds: of all shares.
+        jobs: processes.
     """
     n_shares = min(jobs * 8, len(seeds))
     shares = np.array_split(np.array(seeds), n_shares)

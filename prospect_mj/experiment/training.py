@@ -76,7 +76,7 @@ def run_trial(
     orientation = presented_orientation(config, trial)
     features, first_info = env.reset(
         seed=int(presentation.generate_state(1)[0]),
-        options={"orientation": orientation},
+        options={"orientation": orientation, "trial": trial},
     )
     info, actions, ended = first_info, [], False
     while not ended:

@@ -13,9 +13,6 @@ from prospect_mj.planning.sphere_cover import bounding_sphere, cover
 from prospect_mj.robot import names
 from prospect_mj.robot.names import Side
 
-GROSS_JOINTS = 4
-"""Shoulder and elbow: the joints of gross motion; the other three are the wrist's."""
-
 EVERY_LINK = (1 << N_LINKS) - 1
 BEYOND_ELBOW = EVERY_LINK & ~(1 << UPPER_ARM)
 HAND_AND_JAR = (1 << HAND) | (1 << JAR)

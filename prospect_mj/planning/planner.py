@@ -7,13 +7,12 @@ from typing import NamedTuple
 import mujoco
 import numpy as np
 
-from prospect_mj.planning.arm_body import GROSS_JOINTS, arm_body
+from prospect_mj.planning.arm_body import arm_body
 from prospect_mj.planning.arm_kernels import clearances
 from prospect_mj.planning.gross_plan import GrossPlan
-from prospect_mj.planning.joint_grid import JointGrid
-from prospect_mj.planning.query import Query, make_query
-from prospect_mj.planning.search import resumed, search, straight
-from prospect_mj.planning.settings import PlannerSettings
+from prospect_mj.planning.query import Query, Solids, make_query
+from prospect_mj.planning.search import Map, resumed, search, straight
+from prospect_mj.planning.settings import Attempt, PlannerSettings
 from prospect_mj.planning.static_map import static_room
 from prospect_mj.planning.surroundings import KnownJars, Surroundings, body_with
 from prospect_mj.robot.names import Side
@@ -52,8 +51,8 @@ class GrossPlanner:
         self.settings = PlannerSettings() if settings is None else settings
         self.body = arm_body(model, side)
         self._surroundings = Surroundings(model, side)
-        self._rooms: dict[int, tuple[JointGrid, np.ndarray]] = {}
-        self._room(1)
+        self._maps: dict[tuple[int, float], Map] = {}
+        self._map(self.settings.attempts[0])
 
     def plan(
         self, start: np.ndarray, goal_sets: Sequence[GoalSet], world: World
@@ -68,19 +67,19 @@ class GrossPlanner:
         Returns:
             The way, or None if there is none that the finest grid shows.
         """
-        for level in range(self.settings.refinements + 1):
+        for attempt in self.settings.attempts:
             for goals in goal_sets:
-                query = self._query(start, goals.find(), goals.most, world)
-                plan = self._answer(query, level)
+                query = self._query(start, goals, world, attempt)
+                plan = self._answer(query, attempt)
                 if plan is not None:
                     return plan
         return None
 
-    def _answer(self, query: Query, level: int) -> GrossPlan | None:
+    def _answer(self, query: Query, attempt: Attempt) -> GrossPlan | None:
         if not len(query.goals):
             return None
-        plan = straight(query, self.settings) if level == 0 else None
-        return plan or search(query, *self._room(2**level), self.settings)
+        near = straight(query, self.settings)
+        return near or search(query, self._map(attempt), attempt, self.settings)
 
     def resume(
         self, plan: GrossPlan, start: np.ndarray, world: World
@@ -109,18 +108,20 @@ class GrossPlanner:
         return np.concatenate([self._surroundings.fixed, moving])
 
     def _query(
-        self, start: np.ndarray, goals: np.ndarray, most: int, world: World
+        self, start: np.ndarray, goals: GoalSet, world: World, attempt: Attempt
     ) -> Query:
         body = body_with(self.body, world.jars)
         moving = self._surroundings.moving(world.data, world.jars)
-        fixed = self._surroundings.fixed
-        return make_query(body, fixed, moving, start, goals, most, self.settings)
+        solids = Solids(self._surroundings.fixed, moving)
+        zone = self.settings.end_zone
+        return make_query(body, solids, start, goals.find(), goals.most, attempt, zone)
 
-    def _room(self, refinement: int) -> tuple[JointGrid, np.ndarray]:
-        if refinement not in self._rooms:
-            low, high = self.body.limits[:GROSS_JOINTS].T
-            cells = tuple(refinement * n for n in self.settings.cells)
-            grid = JointGrid(tuple(low), tuple(high), cells)
-            fixed, margin = self._surroundings.fixed, self.settings.cell_margin
-            self._rooms[refinement] = grid, static_room(self.body, fixed, grid, margin)
-        return self._rooms[refinement]
+    def _map(self, attempt: Attempt) -> Map:
+        """The static part of an attempt."""
+        key = attempt.refinement, attempt.cell_margin
+        if key not in self._maps:
+            grid = self.settings.grid(attempt, self.body.limits)
+            fixed, margin = self._surroundings.fixed, attempt.cell_margin
+            room = static_room(self.body, fixed, grid, margin)
+            self._maps[key] = Map(grid, room)
+        return self._maps[key]

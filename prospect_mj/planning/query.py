@@ -4,11 +4,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from prospect_mj.planning.arm_body import GROSS_JOINTS, ArmBody, Arrays
+from prospect_mj.planning.arm_body import ArmBody, Arrays
 from prospect_mj.planning.arm_kernels import HAND, clearances
 from prospect_mj.planning.goals import apart
 from prospect_mj.planning.occupancy import wrist_at
-from prospect_mj.planning.settings import PlannerSettings
+from prospect_mj.planning.settings import GROSS_JOINTS, Attempt, Wrist
 
 CEILING = 0.3
 """Larger clearances are not told apart [m]."""
@@ -21,16 +21,23 @@ class Chart(NamedTuple):
     wrists: np.ndarray
 
 
-class Query(NamedTuple):
-    """From where to where, among what, with which wrist."""
+class Solids(NamedTuple):
+    """What is round an arm."""
 
-    arm: Arrays
     fixed: np.ndarray
     """Solids that never move (n, 18)."""
     moving: np.ndarray
     """Solids that do (m, 18)."""
+
+
+class Query(NamedTuple):
+    """From where to where, among what, with which wrist."""
+
+    arm: Arrays
+    solids: Solids
+    """What is round it."""
     rows: np.ndarray
-    """Both (n + m, 18)."""
+    """The same in one array (n + m, 18)."""
     reach: float
     """Of hand and jar from the wrist's centre [m]."""
     start: np.ndarray
@@ -53,10 +60,11 @@ class Query(NamedTuple):
             start: joint angles (7,) [rad].
             moving: the solids that do (m, 18).
         """
-        rows = np.concatenate([self.fixed, moving])
+        solids = Solids(self.solids.fixed, moving)
+        rows = np.concatenate(solids)
         known = np.concatenate([start[None], self.goals])
         ends = clearances(self.arm, known, rows, CEILING)
-        return self._replace(moving=moving, rows=rows, start=start, ends=ends)
+        return self._replace(solids=solids, rows=rows, start=start, ends=ends)
 
     def configurations(self, gross: np.ndarray) -> np.ndarray:
         """Joint angles (n, 7) [rad] of gross joint angles (n, 4) [rad]."""
@@ -82,47 +90,56 @@ class Query(NamedTuple):
 
 def make_query(
     body: ArmBody,
-    fixed: np.ndarray,
-    moving: np.ndarray,
+    solids: Solids,
     start: np.ndarray,
     goals: np.ndarray,
     most: int,
-    settings: PlannerSettings,
+    attempt: Attempt,
+    zone: float,
 ) -> Query:
     """A question about one arm.
 
     Args:
         body: the arm, with what it holds.
-        fixed: solids that never move (n, 18).
-        moving: solids that do (m, 18).
+        solids: what is round it.
         start: joint angles (7,) [rad].
         goals: joint angles (n, 7) [rad], the preferred ones first; those that touch
             something are left out, and those that are much like an earlier one.
         most: goals to keep.
-        settings: the clearance that a way keeps, and that all goals have if any has.
+        attempt: tells the clearance of the way, which all goals have if any has, and
+            the wrist.
+        zone: distance from an end up to which a way may be as near as that end [rad].
     """
-    arm, rows = body.arrays, np.concatenate([fixed, moving])
+    arm, rows = body.arrays, np.concatenate(solids)
     room = clearances(arm, goals, rows, CEILING)
-    wide = room >= settings.path_margin
+    wide = room >= attempt.path_margin
     clear = wide if wide.any() else room > 0.0
     chosen = np.flatnonzero(clear)[apart(goals[clear], most)]
     goals, room = goals[chosen], room[chosen]
-    known = np.concatenate([start[None], goals])
-    chart = Chart(known[:, :GROSS_JOINTS].copy(), known[:, GROSS_JOINTS:].copy())
+    chart = _chart(start, goals, attempt.wrist)
     here = clearances(arm, start[None], rows, CEILING)
     beyond = body.spheres[body.first[HAND] :]
     reach = (np.linalg.norm(beyond[:, :3], axis=1) + beyond[:, 3]).max()
     ends = np.concatenate([here, room])
     return Query(
         arm,
-        fixed,
-        moving,
+        solids,
         rows,
         reach,
         start,
         goals,
         ends,
         chart,
-        settings.path_margin,
-        settings.end_zone,
+        attempt.path_margin,
+        zone,
     )
+
+
+def _chart(start: np.ndarray, goals: np.ndarray, wrist: Wrist) -> Chart:
+    known = {
+        "between": np.concatenate([start[None], goals]),
+        "start": start[None],
+        "goal": goals,
+        "straight": np.zeros((1, len(start))),
+    }[wrist]
+    return Chart(known[:, :GROSS_JOINTS].copy(), known[:, GROSS_JOINTS:].copy())

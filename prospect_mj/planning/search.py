@@ -6,13 +6,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from prospect_mj.planning.arm_body import GROSS_JOINTS
 from prospect_mj.planning.gross_plan import Cell, GrossPlan
 from prospect_mj.planning.harmonic_field import HarmonicField, harmonic_field
 from prospect_mj.planning.joint_grid import JointGrid
 from prospect_mj.planning.occupancy import free_cells
 from prospect_mj.planning.query import Query
-from prospect_mj.planning.settings import PlannerSettings
+from prospect_mj.planning.settings import GROSS_JOINTS, Attempt, PlannerSettings
 from prospect_mj.planning.sight import cells_in_sight, line
 from prospect_mj.planning.static_map import shoulders_and_elbows
 from prospect_mj.planning.streamline import streamline
@@ -21,6 +20,14 @@ _MOST_ENTRIES = 6
 """Cells near the start that are tried besides the start itself."""
 _LONGEST = 60.0
 """Streamlines that are longer are given up [rad]."""
+
+
+class Map(NamedTuple):
+    """The static part of planning on one grid."""
+
+    grid: JointGrid
+    room: np.ndarray
+    """See `static_map.static_room`."""
 
 
 class Way(NamedTuple):
@@ -54,14 +61,14 @@ def resumed(
         way = line(query.start, query.goals[plan.goal], settings.step)
         if not query.too_near(way).any():
             return replace(plan, query=query, path=way)
-    for way in ways(query, plan.field, plan.goal_of, np.empty((0, 7)), settings):
+    for way in ways(query, plan.field, plan.goal_of, np.empty((0, 4)), settings):
         if not query.too_near(way.path).any():
             return replace(plan, query=query, **way._asdict())
     return None
 
 
 def search(
-    query: Query, grid: JointGrid, room: np.ndarray, settings: PlannerSettings
+    query: Query, static: Map, attempt: Attempt, settings: PlannerSettings
 ) -> GrossPlan | None:
     """A way from the start to one of the goals, if this grid shows one.
 
@@ -70,7 +77,7 @@ def search(
     cell where that comes too near to something is closed, and the function is solved
     again.
     """
-    return _Search(query, grid, room, settings).run()
+    return _Search(query, static, attempt, settings).run()
 
 
 def ways(
@@ -83,17 +90,15 @@ def ways(
     """Ways along streamlines to a goal.
 
     The first begins at the start itself; others go straight to one of
-    some entries (k, 7) [rad] first.
+    some entries (k, 4) [rad] first.
     """
-    for begin in [query.start, *entries]:
-        gross = begin[:GROSS_JOINTS]
-        found = streamline(field, gross, settings.step, _LONGEST)
+    for begin in [query.start[:GROSS_JOINTS], *entries]:
+        found = streamline(field, begin, settings.step, _LONGEST)
         if not found.reached:
             continue
         goal = goal_of[tuple(field.grid.cell_of(found.points[-1]).tolist())]
         path = query.configurations(found.points)
-        path[0] = begin
-        before = line(query.start, begin, settings.step)[:-1]
+        before = line(query.start, path[0], settings.step)[:-1]
         behind = line(path[-1], query.goals[goal], settings.step)[1:]
         last = float(np.linalg.norm(query.goals[goal] - path[-1]))
         yield Way(np.concatenate([before, path, behind]), goal, last)
@@ -103,27 +108,27 @@ class _Search:
     def __init__(
         self,
         query: Query,
-        grid: JointGrid,
-        room: np.ndarray,
+        static: Map,
+        attempt: Attempt,
         settings: PlannerSettings,
     ) -> None:
-        self._query, self._grid, self._settings = query, grid, settings
+        self._query, self._grid = query, static.grid
+        self._attempt, self._settings = attempt, settings
         free = free_cells(
             query.arm,
-            *shoulders_and_elbows(grid),
-            query.fixed,
-            query.moving,
-            room,
+            *shoulders_and_elbows(self._grid),
+            *query.solids,
+            static.room,
             query.chart,
             query.reach,
-            settings.cell_margin,
+            attempt.cell_margin,
         )
-        self._free = free.reshape(grid.shape)
+        self._free = free.reshape(self._grid.shape)
         self._goal_of = self._goal_cells()
 
     def run(self) -> GrossPlan | None:
         entries = self._in_sight(self._query.start)
-        for _ in range(self._settings.repairs):
+        for _ in range(self._attempt.repairs):
             if not self._goal_of:
                 return None
             field = self._solve()
@@ -144,9 +149,7 @@ class _Search:
         """Ways along streamlines from the start itself and from cells round it."""
         open_ones = [c for c in entries if self._free[c] and field.connected[c]]
         best = sorted(open_ones, key=lambda cell: -field.log_u[cell])[:_MOST_ENTRIES]
-        centres = self._query.configurations(
-            self._grid.centre(np.reshape(best, (-1, GROSS_JOINTS)))
-        )
+        centres = self._grid.centre(np.reshape(best, (-1, GROSS_JOINTS)))
         return ways(self._query, field, self._goal_of, centres, self._settings)
 
     def _in_sight(self, joints: np.ndarray) -> list[Cell]:

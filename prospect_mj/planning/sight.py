@@ -4,10 +4,10 @@ from itertools import product
 
 import numpy as np
 
-from prospect_mj.planning.arm_body import GROSS_JOINTS
 from prospect_mj.planning.gross_plan import Cell
 from prospect_mj.planning.joint_grid import JointGrid
 from prospect_mj.planning.query import Query
+from prospect_mj.planning.settings import GROSS_JOINTS
 
 _MOST = 64
 """Cells that are looked at round one configuration."""

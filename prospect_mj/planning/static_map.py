@@ -10,9 +10,10 @@ import numpy as np
 import platformdirs
 
 from prospect_mj.planning import kernel_cache
-from prospect_mj.planning.arm_body import GROSS_JOINTS, ArmBody
+from prospect_mj.planning.arm_body import ArmBody
 from prospect_mj.planning.joint_grid import JointGrid
 from prospect_mj.planning.occupancy import room_among
+from prospect_mj.planning.settings import GROSS_JOINTS
 
 MOST_ROOM = 0.60
 """Larger distances are not told apart: no hand with a jar reaches further [m]."""

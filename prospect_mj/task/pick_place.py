@@ -8,13 +8,18 @@ import numpy as np
 from prospect_mj.actions.action import Action, ActionOutcome, ActionResult
 from prospect_mj.actions.belief import Belief, SeenJar
 from prospect_mj.actions.runner import ActionRunner
+from prospect_mj.actions.workspace import workspace
 from prospect_mj.closing import Closing
 from prospect_mj.errors import InvalidChoice
 from prospect_mj.robot.names import Side
+from prospect_mj.robot.torso import Torso
 from prospect_mj.sim.camera import EyeSettings, StereoCamera
 from prospect_mj.sim.scene import SceneSettings
 from prospect_mj.sim.simulation import Simulation
+from prospect_mj.supervisor.monitor import Monitor
+from prospect_mj.supervisor.predicates import PredicateState
 from prospect_mj.supervisor.supervisor import Mode, Supervisor
+from prospect_mj.task.predicate_sensor import PredicateSensor
 from prospect_mj.task.presentation import (
     Orientation,
     Presentation,
@@ -34,6 +39,8 @@ class TaskSettings:
 
     supervisor: Mode = "none"
     """What the learner may choose from."""
+    shaping: tuple[str, ...] = ()
+    """Actions that it may not choose in the first trials, as `<action>:<trials>`."""
     object_pose: ObjectPose = "vision"
     """Where the controllers know the jar's first pose from; `truth` is an ablation."""
     scene: SceneSettings = field(default_factory=SceneSettings)
@@ -42,9 +49,10 @@ class TaskSettings:
     vision: VisionSettings = field(default_factory=VisionSettings)
 
     def __post_init__(self) -> None:
-        """Refuse an object pose from nowhere."""
+        """Refuse an object pose from nowhere, a mode or a schedule that can't be."""
         if self.object_pose not in get_args(ObjectPose):
             raise InvalidChoice("object pose", self.object_pose, get_args(ObjectPose))
+        Supervisor(self.supervisor, self.shaping)
 
 
 class PickPlaceTask(Closing):
@@ -57,6 +65,7 @@ class PickPlaceTask(Closing):
         simulation: the live physics.
         runner: runs the actions; holds the robot's belief.
         supervisor: decides which actions may run.
+        monitor: follows each trial through the supervisor's automaton.
         camera: the stereo pair.
         vision: makes a look of an image pair.
         presentation: of the present trial.
@@ -73,7 +82,11 @@ class PickPlaceTask(Closing):
         self.settings = TaskSettings() if settings is None else settings
         self.simulation = Simulation(self.settings.scene)
         self.runner = ActionRunner(self.simulation)
-        self.supervisor = Supervisor(self.settings.supervisor)
+        self.supervisor = Supervisor(self.settings.supervisor, self.settings.shaping)
+        self.monitor = Monitor()
+        self._torso = Torso(self.simulation.model, self.simulation.data)
+        places = workspace(self.settings.scene.props)
+        self._sensor = PredicateSensor(self.runner.twin, places)
         self.camera = StereoCamera(self.simulation.model, self.settings.eyes)
         self.vision = VisionController(
             self.camera.left, self.camera.right, self.settings.vision
@@ -87,6 +100,9 @@ class PickPlaceTask(Closing):
         Args:
             orientation: the side on which the lid lies.
             rng: source of the presentation and of the sensor noise.
+
+        Raises:
+            UnforeseenEvent: if the arms are not at rest when the trial begins.
         """
         nominal = self.settings.scene.props.pedestal.nominal
         spread = self.settings.presentation
@@ -94,6 +110,7 @@ class PickPlaceTask(Closing):
         self.simulation.reset(presentation.placement, presentation.lamp_gain)
         look = self.vision.look(self.camera.capture(self.simulation.data, rng))
         self.runner.begin(Belief(seen=self._seen(look)))
+        self.monitor.begin(self._observe())
         self.presentation, self.look = presentation, look
         return look
 
@@ -113,15 +130,30 @@ class PickPlaceTask(Closing):
         return self.runner.belief.holding
 
     @property
+    def predicates(self) -> PredicateState:
+        """The predicates as they were last observed; the supervisor decides by them."""
+        return self.monitor.predicates
+
+    @property
     def inserted(self) -> bool:
         """Whether the jar stands in the receptacle and no hand holds it."""
         return self.holder is None and is_inserted(self.simulation)
 
     def execute(self, action: Action) -> ActionOutcome:
-        """Run an action, or do nothing at all if the supervisor does not let it."""
-        if not self.supervisor.may_run(action, self.holder):
-            return ActionOutcome(action, False, ActionResult.NOT_ALLOWED, 0.0)
-        return self.runner.execute(action)
+        """Run an action, or do nothing at all if the supervisor does not let it.
+
+        Raises:
+            UnforeseenEvent: if what came of it is not in the supervisor's model.
+        """
+        if self.supervisor.may_run(action, self.predicates):
+            outcome = self.runner.execute(action)
+        else:
+            outcome = ActionOutcome(action, False, ActionResult.NOT_ALLOWED, 0.0)
+        self.monitor.follow(action, outcome.result, self._observe())
+        return outcome
+
+    def _observe(self) -> PredicateState:
+        return self._sensor.observe(self._torso.read(), self.runner.belief)
 
     def close(self) -> None:
         """Close the eyes."""

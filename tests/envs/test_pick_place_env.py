@@ -165,6 +165,41 @@ def test_the_action_mask_is_the_choice_set_of_the_mode(mode, mask):
         env.close()
 
 
+def test_the_choice_set_follows_the_state_and_is_the_supervisors():
+    settings = PickPlaceSettings(supervisor="safe", object_pose="truth")
+    env = gymnasium.make(ENV_ID, settings=settings).unwrapped
+    try:
+        _, info = env.reset(seed=1, options={"orientation": "left"})
+        for action in (0, 2, 5):
+            expected = env.task.supervisor.choice_set(env.task.predicates, 0)
+            assert np.array_equal(info["action_mask"], expected)
+            assert np.array_equal(env.action_masks(), expected.astype(bool))
+            *_, info = env.step(action)
+            if action == 0:
+                assert tuple(info["action_mask"]) == (0, 0, 1, 1, 1, 1)
+    finally:
+        env.close()
+
+
+def test_shaping_is_lifted_by_the_trials_number_told_or_counted():
+    settings = PickPlaceSettings(shaping=("insert-left:2",))
+    env = gymnasium.make(ENV_ID, settings=settings).unwrapped
+
+    def offered(**options):
+        _, info = env.reset(seed=0, options=options)
+        return bool(info["action_mask"][4])
+
+    try:
+        assert [offered() for _ in range(4)] == [False, False, True, True]
+        assert not offered(trial=1)
+        assert offered()  # one more than the trial before
+        assert not offered(trial=np.int64(0), orientation="left")
+        *_, info = env.step(0)
+        assert tuple(info["action_mask"]) == (1, 1, 1, 1, 0, 1)
+    finally:
+        env.close()
+
+
 def test_two_instances_with_the_same_seed_are_bit_identical(env):
     other = gymnasium.make(ENV_ID)
     try:
@@ -232,11 +267,14 @@ def test_the_state_is_part_of_what_is_observed(env):
     [
         ({"orientation": "up"}, "orientation is 'up'; valid: left, right"),
         ({"orientation": None}, "orientation is None; valid: left, right"),
-        ({"lid": "left"}, "reset option is 'lid'; valid: orientation"),
+        ({"lid": "left"}, "reset option is 'lid'; valid: orientation, trial"),
+        ({"trial": -1}, "trial is -1; expected a whole number from 0"),
+        ({"trial": 1.0}, "trial is 1.0; expected a whole number from 0"),
+        ({"trial": True}, "trial is True"),
     ],
 )
 def test_bad_reset_options_are_refused_with_the_good_ones(env, options, message):
-    with pytest.raises(InvalidChoice, match=message):
+    with pytest.raises((InvalidChoice, InvalidValue), match=message):
         env.reset(options=options)
 
 
@@ -261,6 +299,17 @@ def test_there_is_no_render_mode(env):
     assert env.metadata["render_modes"] == []
     with pytest.raises(InvalidChoice, match="render_mode is 'human'"):
         PickPlaceEnv(render_mode="human")
+
+
+def test_bad_modes_and_schedules_are_refused_before_anything_is_built():
+    with pytest.raises(InvalidChoice, match="valid: none, safe, productive"):
+        PickPlaceSettings(supervisor="strict")
+    with pytest.raises(InvalidChoice, match="action in shaping is 'push'"):
+        PickPlaceSettings(shaping=("push:3",))
+    with pytest.raises(InvalidValue, match="something to choose"):
+        PickPlaceSettings(
+            supervisor="productive", shaping=("grasp-left:1", "grasp-right:1")
+        )
 
 
 @pytest.mark.parametrize("bad", [0, -1, 10**6])

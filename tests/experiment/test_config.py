@@ -1,4 +1,5 @@
 import dataclasses
+import json
 import subprocess
 import sys
 from typing import get_args
@@ -9,7 +10,6 @@ from prospect_mj.agent import FeatureSettings, LearnerSettings
 from prospect_mj.errors import ProspectError
 from prospect_mj.experiment import config
 from prospect_mj.experiment.config import TrainConfig
-from prospect_mj.supervisor import supervisor
 from prospect_mj.task import pick_place, presentation
 
 
@@ -26,10 +26,13 @@ def test_dictionary_round_trip():
         pretrain=7,
         dominant="left",
         seed=2**40,
+        shaping=("swap-left-to-right:200", "insert-left:3"),
         features=FeatureSettings(reading="one_hot"),
         learner=LearnerSettings(epsilon=0.1),
     )
     assert TrainConfig.from_dict(run.as_dict()) == run
+    read_back = json.loads(json.dumps(run.as_dict()))
+    assert TrainConfig.from_dict(read_back) == run
 
 
 @pytest.mark.parametrize(
@@ -47,6 +50,17 @@ def test_dictionary_round_trip():
         ({"dominant": "both"}, "left, right"),
         ({"supervisor": "strict"}, "none, safe, productive"),
         ({"object_pose": "guess"}, "vision, truth"),
+        ({"shaping": ("push-left:3",)}, "grasp-left, grasp-right, swap-left-to-right"),
+        ({"shaping": ("grasp-left:-1",)}, "trials of grasp-left in shaping is '-1'"),
+        ({"shaping": ("grasp-left",)}, "<action>:<trials>"),
+        ({"shaping": ("grasp-left:1", "grasp-left:2")}, "each action once"),
+        (
+            {
+                "supervisor": "productive",
+                "shaping": ("grasp-left:5", "grasp-right:9"),
+            },
+            "something to choose in mode productive",
+        ),
         ({"learner": LearnerSettings(n_actions=5)}, "6"),
         ({"learner": LearnerSettings(n_features=100)}, "303"),
     ],
@@ -66,6 +80,7 @@ def test_bad_values_are_named(bad, named):
         {"learner": {"alpha": 1}},
         {"features": 3},
         {"colour": "red"},
+        {"shaping": 3},
     ],
 )
 def test_foreign_dictionaries_are_refused(change):
@@ -76,7 +91,6 @@ def test_foreign_dictionaries_are_refused(change):
 
 def test_choices_are_those_of_the_task():
     assert get_args(config.Orientation) == get_args(presentation.Orientation)
-    assert get_args(config.Supervisor) == get_args(supervisor.Mode)
     assert get_args(config.ObjectPose) == get_args(pick_place.ObjectPose)
 
 

@@ -144,3 +144,38 @@ def test_choice_set_of_the_state_is_kept():
         for action in finished.actions:
             assert action.action in ((0, 1) if action.holding == "none" else (4, 5))
     assert {tuple(mask) for mask in allowed_next} == {(0, 0, 0, 0, 1, 1)}
+
+
+def test_a_mode_keeps_the_learner_to_its_choice_set():
+    finished, _ = run(TrainConfig(trials=60, supervisor="productive"))
+    offered = {"none": (0, 1), "left": (2, 4), "right": (3, 5)}
+    for trial in finished:
+        for action in trial.actions:
+            assert action.action in offered[action.holding]
+
+
+def test_shaping_is_lifted_at_its_trial():
+    """Without the right hand's actions there is no jar in it; afterwards there is."""
+    shaping = ("grasp-right:40", "swap-left-to-right:25")
+    config = TrainConfig(trials=80, seed=4, shaping=shaping)
+    finished, _ = run(config)
+    chosen = [
+        (trial.trial.trial, action.action_name)
+        for trial in finished
+        for action in trial.actions
+    ]
+    assert min(n for n, name in chosen if name == "grasp-right") == 40
+    assert 25 <= min(n for n, name in chosen if name == "swap-left-to-right") < 30
+    assert {name for n, name in chosen if n < 25} == set(ACTION_NAMES) - {
+        "grasp-right",
+        "swap-left-to-right",
+    }
+
+
+def test_a_shaped_trial_depends_on_its_number_and_not_on_those_before():
+    config = TrainConfig(trials=8, seed=3, shaping=("grasp-left:4", "insert-left:6"))
+    finished, _ = run(config, noise=0.1)
+    learner = LinearQ(config.learner)
+    for trial in range(8):
+        alone = run_trial(config, IdealEnv(config, noise=0.1), learner, trial)
+        assert alone == finished[trial]

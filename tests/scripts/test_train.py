@@ -7,7 +7,7 @@ import pytest
 from ideal_env import IdealEnv
 
 from prospect_mj.cli import train
-from prospect_mj.errors import MissingFile, RenderingUnavailable
+from prospect_mj.errors import MissingFile, RenderingUnavailable, UnforeseenEvent
 from prospect_mj.experiment import session
 from prospect_mj.experiment.config import TrainConfig
 
@@ -58,6 +58,11 @@ BAD = {
     "--seed 1e400": "1e400",
     "--dominant both": "both",
     "--supervisor strict": "strict",
+    "--shaping push-left:3": "grasp-left, grasp-right, swap-left-to-right",
+    "--shaping grasp-left:-3": "'-3'; expected 0 or more",
+    "--shaping grasp-left:3 grasp-left:4": "each action once",
+    "--shaping grasp-left": "<action>:<trials>",
+    "--supervisor productive --shaping grasp-left:9 grasp-right:9": "to choose",
     "--object-pose guess": "guess",
     "--max-actions 0": "0",
     "--learner.epsilon 1.5": "1.5",
@@ -81,6 +86,7 @@ BAD = {
     "--resume run --learner.epsilon 0.5": "learner.epsilon is 0.05, not 0.5",
     "--resume run --trials 2": "3 trials",
     "--resume run --supervisor safe": "supervisor",
+    "--resume run --shaping insert-left:2": "shaping is (), not ('insert-left:2',)",
 }
 
 
@@ -199,6 +205,35 @@ def test_interrupted_run_can_be_resumed(tmp_path, capsys):
     assert list(cut.values()) == list(whole.values())
 
 
+def test_a_shaped_run_goes_on_bit_identically(tmp_path):
+    """Stopped before its schedule is lifted, it is lifted at the same trial."""
+    shaping = ["--supervisor", "safe", "--shaping", "grasp-left:5", "insert-right:7"]
+    options = ["--seed", "3", *shaping, "--out"]
+    assert train.main(["--trials", "4", *options, "cut"], IdealEnv) == 0
+    assert train.main(["--trials", "10", *options, "whole"], IdealEnv) == 0
+    assert (
+        train.main(["--trials", "10", "--seed", "3", "--out", "plain"], IdealEnv) == 0
+    )
+    assert train.main(["--resume", "cut", "--trials", "10"], IdealEnv) == 0
+    cut, whole = tree(tmp_path / "cut"), tree(tmp_path / "whole")
+    assert list(cut.values()) == list(whole.values())
+    plain = tree(tmp_path / "plain")
+    assert plain[str(tmp_path / "plain" / "weights.npz")] not in whole.values()
+
+
+def test_an_unforeseen_event_is_one_line_and_no_fault_of_the_input(tmp_path, capsys):
+    class Surprising(IdealEnv):
+        def step(self, action):
+            raise UnforeseenEvent("jammed: left holds", "grasp-left from here")
+
+    assert train.main(["--out", "run"], Surprising) == 1
+    said = capsys.readouterr().err
+    assert said == (
+        "error: unforeseen event: jammed: left holds; it can't happen in: "
+        "grasp-left from here\n"
+    )
+
+
 def test_every_option_of_the_issue_reaches_the_run(tmp_path):
     configs = []
 
@@ -210,12 +245,14 @@ def test_every_option_of_the_issue_reaches_the_run(tmp_path):
         --supervisor safe --object-pose truth --no-bootstrap-at-truncation
         --max-actions 4 --learner.step-size 0.01 --learner.epsilon 0.2
         --learner.discount 0.9 --features.reading one_hot
-        --features.normalisation max_bin --features.energy 3"""
+        --features.normalisation max_bin --features.energy 3
+        --shaping swap-left-to-right:200 swap-right-to-left:100"""
     assert train.main(options.split(), make_env) == 0
     (config,) = configs
     assert (config.trials, config.pretrain, config.dominant) == (2, 1, "left")
     assert (config.supervisor, config.object_pose) == ("safe", "truth")
     assert (config.seed, config.max_actions) == (9, 4)
+    assert config.shaping == ("swap-left-to-right:200", "swap-right-to-left:100")
     assert not config.bootstrap_at_truncation
     learner, features = config.learner, config.features
     assert (learner.step_size, learner.epsilon, learner.discount) == (0.01, 0.2, 0.9)

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from prospect_mj.actions.action import Action, ActionResult
-from prospect_mj.errors import InvalidChoice
+from prospect_mj.errors import InvalidChoice, InvalidValue, UnforeseenEvent
 from prospect_mj.task.pick_place import PickPlaceTask, TaskSettings
 from prospect_mj.task.presentation import ORIENTATIONS
 
@@ -107,6 +107,28 @@ def test_a_trial_without_a_jar_to_see_moves_nothing(task, monkeypatch):
         assert not outcome.executed
         assert outcome.result is ActionResult.NOT_SEEN
     assert np.array_equal(task.simulation.save(), before)
+
+
+def test_what_the_model_does_not_foresee_is_raised(task, monkeypatch):
+    """Both hands on the jar after a grasp: a surprise, and no state to go on from."""
+    begin(task, seed=5)
+    execute = task.runner.execute
+
+    def surprising(action):
+        outcome = execute(action)
+        task.runner.belief.held["right"] = task.runner.belief.held["left"]
+        return outcome
+
+    monkeypatch.setattr(task.runner, "execute", surprising)
+    with pytest.raises(UnforeseenEvent, match="success: left holds in front, right"):
+        task.execute(Action.GRASP_LEFT)
+
+
+def test_modes_and_schedules_that_cannot_be_are_refused():
+    with pytest.raises(InvalidChoice, match="valid: none, safe, productive"):
+        TaskSettings(supervisor="strict")
+    with pytest.raises(InvalidValue, match="expected 0 or more"):
+        TaskSettings(shaping=("insert-left:soon",))
 
 
 def test_presentations_differ_and_repeat_by_seed(task):
