@@ -7,13 +7,13 @@ import mink
 import mujoco
 import numpy as np
 
-from prospect_mj.planning.arm_kernels import FRAME_OF, HAND, JAR, N_LINKS, UPPER_ARM
+from prospect_mj.planning.arm_kernels import FRAME_OF, HAND, JAR, UPPER_ARM
 from prospect_mj.planning.solids import solids
 from prospect_mj.planning.sphere_cover import bounding_sphere, cover
 from prospect_mj.robot import names
 from prospect_mj.robot.names import Side
 
-EVERY_LINK = (1 << N_LINKS) - 1
+EVERY_LINK = (1 << (JAR + 1)) - 1
 BEYOND_ELBOW = EVERY_LINK & ~(1 << UPPER_ARM)
 HAND_AND_JAR = (1 << HAND) | (1 << JAR)
 
@@ -22,14 +22,22 @@ _SHOULDER = 2
 
 
 class Arrays(NamedTuple):
-    """What the compiled code needs of an arm; see `ArmBody`."""
+    """What the compiled code needs of an arm."""
 
     base: np.ndarray
+    """Frame that joint 1 turns in: position, rotation matrix row by row (12,)."""
     joints: np.ndarray
-    spheres: np.ndarray
-    first: np.ndarray
-    hulls: np.ndarray
-    upper: np.ndarray
+    """Place of each joint in the link before it and its axis (7, 6)."""
+    wrist: np.ndarray
+    """The wrist's centre in the forearm's frame (1, 3) [m]."""
+    upper_arm: np.ndarray
+    """Spheres that cover it, after one round all of them, in its frame (m, 4) [m]."""
+    forearm: np.ndarray
+    hand: np.ndarray
+    jar: np.ndarray
+    """The same; without a row if the hand holds none."""
+    upper_solids: np.ndarray
+    """The upper arm as solids in its own frame (n, 18): the hand can hit it."""
 
 
 @dataclass(frozen=True)
@@ -37,27 +45,11 @@ class ArmBody:
     """Kinematic chain and geometry of one arm with its open hand."""
 
     side: Side
-    base: np.ndarray
-    """Frame that joint 1 turns in: position, rotation matrix row by row (12,)."""
-    joints: np.ndarray
-    """Place of each joint in the link before it and its axis (7, 6)."""
-    spheres: np.ndarray
-    """Centre and radius in the link's frame, link by link (m, 4) [m]."""
-    first: np.ndarray
-    """Of each link, the first of its spheres; one more for the end (5,)."""
-    hulls: np.ndarray
-    """A sphere round all spheres of each link (4, 4) [m]."""
-    upper: np.ndarray
-    """The upper arm as solids in its own frame (n, 18): the hand can hit it."""
+    arrays: Arrays
     grasp: mink.SE3
     """The grasp site in the last link's frame."""
     limits: np.ndarray
     """Range of each joint (7, 2) [rad]."""
-
-    @property
-    def arrays(self) -> Arrays:
-        """The same for compiled code."""
-        return Arrays(*(getattr(self, name) for name in Arrays._fields))
 
     def holding(self, jar: mink.SE3, radius: float, length: float) -> "ArmBody":
         """The same arm with a jar in its hand.
@@ -68,9 +60,14 @@ class ArmBody:
             length: of the same [m].
         """
         along = cover(mujoco.mjtGeom.mjGEOM_CYLINDER, np.array([radius, length / 2, 0]))
-        spheres = _placed(along, self.grasp @ jar)
-        groups = np.split(self.spheres[: self.first[JAR]], self.first[1:JAR])
-        return replace(self, **_grouped([*groups, spheres]))
+        spheres = _in_one(_placed(along, self.grasp @ jar))
+        return replace(self, arrays=self.arrays._replace(jar=spheres))
+
+    @property
+    def reach(self) -> float:
+        """Of hand and jar from the wrist's centre [m]."""
+        spheres = np.concatenate([self.arrays.hand[1:], self.arrays.jar[1:]])
+        return float((np.linalg.norm(spheres[:, :3], axis=1) + spheres[:, 3]).max())
 
 
 def arm_body(model: mujoco.MjModel, side: Side) -> ArmBody:
@@ -84,19 +81,20 @@ def arm_body(model: mujoco.MjModel, side: Side) -> ArmBody:
     origin = data.xpos[bodies[0]], data.xmat[bodies[0]]
     moving = geoms_of(model, side)
     upper = [g for g in moving if model.geom_bodyid[g] == bodies[_SHOULDER]]
-    groups = [
-        _link_spheres(model, data, bodies[FRAME_OF[link] - 1], geoms)
+    covers = [
+        _in_one(_link_spheres(model, data, bodies[FRAME_OF[link] - 1], geoms))
         for link, geoms in enumerate(_by_link(model, bodies, moving))
     ]
-    return ArmBody(
-        side=side,
-        base=np.concatenate(origin),
-        joints=np.hstack([offsets, model.jnt_axis[joints]]),
-        upper=_in_frame(solids(model, data, upper, HAND_AND_JAR), data, bodies[2]),
-        grasp=_grasp(model, data, side, bodies[-1]),
-        limits=model.jnt_range[joints].copy(),
-        **_grouped([*groups, np.empty((0, 4))]),
+    chain = Arrays(
+        np.concatenate(origin),
+        np.hstack([offsets, model.jnt_axis[joints]]),
+        offsets[4:6].sum(axis=0, keepdims=True),
+        *covers,
+        np.empty((0, 4)),
+        _in_frame(solids(model, data, upper, HAND_AND_JAR), data, bodies[_SHOULDER]),
     )
+    grasp = _grasp(model, data, side, bodies[-1])
+    return ArmBody(side, chain, grasp, model.jnt_range[joints].copy())
 
 
 def geoms_of(model: mujoco.MjModel, side: Side) -> list[int]:
@@ -146,13 +144,9 @@ def _placed(along: np.ndarray, pose: mink.SE3) -> np.ndarray:
     return np.column_stack([centres, along[:, 1]])
 
 
-def _grouped(groups: list[np.ndarray]) -> dict[str, np.ndarray]:
-    hulls = [bounding_sphere(g) if len(g) else np.zeros(4) for g in groups]
-    return {
-        "spheres": np.concatenate(groups),
-        "first": np.cumsum([0, *(len(g) for g in groups)]),
-        "hulls": np.array(hulls),
-    }
+def _in_one(spheres: np.ndarray) -> np.ndarray:
+    """Spheres (1 + n, 4) with one round all of them before."""
+    return np.vstack([bounding_sphere(spheres), spheres])
 
 
 def _in_frame(rows: np.ndarray, data: mujoco.MjData, body: int) -> np.ndarray:

@@ -16,7 +16,6 @@ SPHERE, CAPSULE, CYLINDER, BOX = 2, 3, 5, 6
 UPPER_ARM, FOREARM, HAND, JAR = 0, 1, 2, 3
 """What moves as one: WAM's link 3; its links 4 to 6 as far as they lie on the wrist's
 axis, so that the wrist does not move them; link 7 with the hand; a held jar."""
-N_LINKS = 4
 FRAME_OF = (3, 4, 7, 7)
 """Number of joints before each of them."""
 FOLDED = 2.0
@@ -83,18 +82,18 @@ def link_frames(arm, angles):  # noqa: ANN001, ANN201
 
 
 @njit(cache=True, error_model="numpy")
-def upper_arm(arm, frames):  # noqa: ANN001, ANN201
+def upper_arm_solids(arm, frames):  # noqa: ANN001, ANN201
     """The own upper arm where it is, as solids (n, 18)."""
-    rows = arm.upper.copy()
+    rows = arm.upper_solids.copy()
     for i in range(rows.shape[0]):
-        x, y, z = point(frames, FRAME_OF[UPPER_ARM], arm.upper[:, 3:6], i)
+        x, y, z = point(frames, FRAME_OF[UPPER_ARM], arm.upper_solids[:, 3:6], i)
         rows[i, 3], rows[i, 4], rows[i, 5] = x, y, z
         for row in range(3):
             for column in range(3):
                 rows[i, 6 + 3 * row + column] = 0.0
                 for k in range(3):
                     turn = frames[FRAME_OF[UPPER_ARM], 3 + 3 * row + k]
-                    own = arm.upper[i, 6 + 3 * k + column]
+                    own = arm.upper_solids[i, 6 + 3 * k + column]
                     rows[i, 6 + 3 * row + column] += turn * own
     return rows
 
@@ -111,12 +110,20 @@ def point(frames, at, local, k):  # noqa: ANN001, ANN201
 
 
 @njit(cache=True, error_model="numpy")
-def link_clearance(arm, link, frames, rows, ceiling):  # noqa: ANN001, ANN201
-    """Least distance of a link to the solids that concern it [m], or the ceiling."""
+def link_clearance(spheres, link, frames, rows, ceiling):  # noqa: ANN001, ANN201
+    """Least distance of a link to the solids that concern it [m], or the ceiling.
+
+    Args:
+        spheres: the link's cover, a sphere round all of it first (m, 4) [m].
+        link: its number.
+        frames: of the arm (8, 12).
+        rows: solids (n, 18).
+        ceiling: larger distances are not told apart [m].
+    """
     least = ceiling
     at = FRAME_OF[link]
-    radius = arm.hulls[link, 3]
-    x, y, z = point(frames, at, arm.hulls, link)
+    radius = spheres[0, 3]
+    x, y, z = point(frames, at, spheres, 0)
     for i in range(rows.shape[0]):
         dx, dy, dz = x - rows[i, 3], y - rows[i, 4], z - rows[i, 5]
         reach = radius + rows[i, 1] + least
@@ -126,19 +133,19 @@ def link_clearance(arm, link, frames, rows, ceiling):  # noqa: ANN001, ANN201
             continue
         if distance(x, y, z, rows, i) - radius > least:
             continue
-        for k in range(arm.first[link], arm.first[link + 1]):
-            px, py, pz = point(frames, at, arm.spheres, k)
-            least = min(least, distance(px, py, pz, rows, i) - arm.spheres[k, 3])
+        for k in range(1, spheres.shape[0]):
+            px, py, pz = point(frames, at, spheres, k)
+            least = min(least, distance(px, py, pz, rows, i) - spheres[k, 3])
     return least
 
 
 @njit(cache=True, error_model="numpy")
-def hand_clearance(arm, frames, rows, ceiling):  # noqa: ANN001, ANN201
+def hand_clearance(hand, jar, frames, rows, ceiling):  # noqa: ANN001, ANN201
     """The same for the hand and what it holds."""
-    least = link_clearance(arm, HAND, frames, rows, ceiling)
-    if arm.first[JAR] == arm.first[JAR + 1]:
+    least = link_clearance(hand, HAND, frames, rows, ceiling)
+    if jar.shape[0] == 0:
         return least
-    return link_clearance(arm, JAR, frames, rows, least)
+    return link_clearance(jar, JAR, frames, rows, least)
 
 
 @njit(cache=True, error_model="numpy")
@@ -157,8 +164,10 @@ def clearances(arm, configurations, rows, ceiling):  # noqa: ANN001, ANN201
     found = np.empty(configurations.shape[0])
     for i in range(configurations.shape[0]):
         frames = link_frames(arm, configurations[i])
-        least = link_clearance(arm, UPPER_ARM, frames, rows, ceiling)
-        least = link_clearance(arm, FOREARM, frames, rows, least)
-        least = hand_clearance(arm, frames, rows, least)
-        found[i] = hand_clearance(arm, frames, upper_arm(arm, frames), least)
+        least = link_clearance(arm.upper_arm, UPPER_ARM, frames, rows, ceiling)
+        least = link_clearance(arm.forearm, FOREARM, frames, rows, least)
+        least = hand_clearance(arm.hand, arm.jar, frames, rows, least)
+        found[i] = hand_clearance(
+            arm.hand, arm.jar, frames, upper_arm_solids(arm, frames), least
+        )
     return found

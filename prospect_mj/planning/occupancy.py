@@ -6,6 +6,7 @@ from numba import njit
 from prospect_mj.planning.arm_kernels import (
     FOLDED,
     FOREARM,
+    FRAME_OF,
     UPPER_ARM,
     advance,
     distance,
@@ -13,15 +14,14 @@ from prospect_mj.planning.arm_kernels import (
     link_clearance,
     link_frames,
     point,
-    upper_arm,
+    upper_arm_solids,
 )
 
 
 @njit(cache=True, error_model="numpy")
-def _wrist_room(arm, frames, rows, ceiling):  # noqa: ANN001, ANN202
+def _wrist_room(wrist, frames, rows, ceiling):  # noqa: ANN001, ANN202
     """Distance of the wrist's centre to the nearest solid [m], or the ceiling."""
-    advance(frames, arm.joints, 4, 0.0)
-    x, y, z = point(frames, 5, arm.joints, 5)
+    x, y, z = point(frames, FRAME_OF[FOREARM], wrist, 0)
     least = ceiling
     for i in range(rows.shape[0]):
         dx, dy, dz = x - rows[i, 3], y - rows[i, 4], z - rows[i, 5]
@@ -50,12 +50,12 @@ def room_among(arm, shoulders, elbows, rows, margin, most):  # noqa: ANN001, ANN
     room = np.full((shoulders.shape[0], elbows.shape[0]), -1.0)
     for i in range(shoulders.shape[0]):
         frames = link_frames(arm, shoulders[i])
-        if link_clearance(arm, UPPER_ARM, frames, rows, margin) < margin:
+        if link_clearance(arm.upper_arm, UPPER_ARM, frames, rows, margin) < margin:
             continue
         for k in range(elbows.shape[0]):
             advance(frames, arm.joints, 3, elbows[k])
-            if link_clearance(arm, FOREARM, frames, rows, margin) >= margin:
-                room[i, k] = _wrist_room(arm, frames, rows, most)
+            if link_clearance(arm.forearm, FOREARM, frames, rows, margin) >= margin:
+                room[i, k] = _wrist_room(arm.wrist, frames, rows, most)
     return room
 
 
@@ -98,41 +98,42 @@ def free_cells(arm, shoulders, elbows, fixed, moving, room, chart, reach, margin
         Whether a cell is free (m, n).
     """
     free = room >= 0.0
-    gross = np.empty((1, 4))
+    gross, wrist = np.empty((1, 4)), np.empty(3)
+    # Handing over the whole arm each time would cost more than what is done with it.
+    joints, forearm, hand, jar = arm.joints, arm.forearm, arm.hand, arm.jar
+    centre, far = arm.wrist, reach + margin
     for i in range(shoulders.shape[0]):
         frames = link_frames(arm, shoulders[i])
-        if link_clearance(arm, UPPER_ARM, frames, moving, margin) < margin:
+        if link_clearance(arm.upper_arm, UPPER_ARM, frames, moving, margin) < margin:
             free[i] = False
             continue
-        own = upper_arm(arm, frames)
+        own = upper_arm_solids(arm, frames)
         gross[0, :3] = shoulders[i]
         for k in range(elbows.shape[0]):
-            if free[i, k]:
+            if not free[i, k]:
+                continue
+            advance(frames, joints, 3, elbows[k])
+            if link_clearance(forearm, FOREARM, frames, moving, margin) < margin:
+                free[i, k] = False
+                continue
+            tight = room[i, k] < far
+            near = _wrist_room(centre, frames, moving, far) < far
+            folded = elbows[k] > FOLDED
+            # Where the hand can't reach anything, its place need not be known.
+            if tight or near or folded:
                 gross[0, 3] = elbows[k]
-                tight = room[i, k] < reach + margin
-                free[i, k] = _is_free(
-                    arm, gross, frames, fixed, moving, own, chart, reach, margin, tight
+                wrist_at(chart, gross, 0, wrist)
+                for j in range(3):
+                    advance(frames, joints, 4 + j, wrist[j])
+                free[i, k] = (
+                    (not near or _keeps(hand, jar, frames, moving, margin))
+                    and (not folded or _keeps(hand, jar, frames, own, margin))
+                    and (not tight or _keeps(hand, jar, frames, fixed, margin))
                 )
     return free
 
 
 @njit(cache=True, error_model="numpy")
-def _is_free(arm, gross, frames, fixed, moving, own, chart, reach, margin, tight):  # noqa: ANN001, ANN202
-    """Whether one cell is, the upper arm being clear."""
-    advance(frames, arm.joints, 3, gross[0, 3])
-    if link_clearance(arm, FOREARM, frames, moving, margin) < margin:
-        return False
-    near = _wrist_room(arm, frames, moving, reach + margin) < reach + margin
-    folded = gross[0, 3] > FOLDED
-    # Where the hand can't reach anything, its place need not be known.
-    if not (tight or near or folded):
-        return True
-    wrist = np.empty(3)
-    wrist_at(chart, gross, 0, wrist)
-    for j in range(3):
-        advance(frames, arm.joints, 4 + j, wrist[j])
-    if near and hand_clearance(arm, frames, moving, margin) < margin:
-        return False
-    if folded and hand_clearance(arm, frames, own, margin) < margin:
-        return False
-    return not tight or hand_clearance(arm, frames, fixed, margin) >= margin
+def _keeps(hand, jar, frames, rows, margin):  # noqa: ANN001, ANN202
+    """Whether the hand and what it holds keep a margin from solids."""
+    return hand_clearance(hand, jar, frames, rows, margin) >= margin

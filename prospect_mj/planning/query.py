@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from prospect_mj.planning.arm_body import ArmBody, Arrays
-from prospect_mj.planning.arm_kernels import HAND, clearances
+from prospect_mj.planning.arm_kernels import clearances
 from prospect_mj.planning.goals import apart
 from prospect_mj.planning.occupancy import wrist_at
 from prospect_mj.planning.settings import GROSS_JOINTS, Attempt, Wrist
@@ -118,14 +118,12 @@ def make_query(
     goals, room = goals[chosen], room[chosen]
     chart = _chart(start, goals, attempt.wrist)
     here = clearances(arm, start[None], rows, CEILING)
-    beyond = body.spheres[body.first[HAND] :]
-    reach = (np.linalg.norm(beyond[:, :3], axis=1) + beyond[:, 3]).max()
     ends = np.concatenate([here, room])
     return Query(
         arm,
         solids,
         rows,
-        reach,
+        body.reach,
         start,
         goals,
         ends,
