@@ -11,14 +11,14 @@ from dataclasses import dataclass
 import mink
 import numpy as np
 
+from prospect_mj.actions import poses
 from prospect_mj.actions.action import ActionResult
 from prospect_mj.actions.belief import Belief
-from prospect_mj.actions import poses
 from prospect_mj.actions.workspace import Workspace
+from prospect_mj.control import gross_motion
 from prospect_mj.control.arm_control import ArmControl
 from prospect_mj.control.controller import Controller
 from prospect_mj.control.fine_motion import PASSING, FineMotion
-from prospect_mj.control import gross_motion
 from prospect_mj.control.hand_motion import HandMotion
 from prospect_mj.control.result import ControlResult, Status
 from prospect_mj.errors import InvalidValue

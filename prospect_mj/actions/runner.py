@@ -20,6 +20,7 @@ from prospect_mj.actions.workspace import workspace
 from prospect_mj.control.arm_control import GrossMotion, arm_control
 from prospect_mj.control.controller import CONTROL_PERIOD, Controller
 from prospect_mj.control.kinematics import KinematicTwin
+from prospect_mj.planning.settings import PlannerSettings
 from prospect_mj.robot.names import SIDES, Side
 from prospect_mj.robot.torso import Torso
 from prospect_mj.sim.simulation import Simulation
@@ -41,6 +42,7 @@ class ActionRunner:
         simulation: the live physics.
         gross_motion: how large movements go: `harmonic` along streamlines in
             configuration space, `cartesian` straight, as an ablation.
+        planning: settings of the harmonic ones.
 
     Attributes:
         twin: the kinematic twin that all controllers share.
@@ -49,14 +51,19 @@ class ActionRunner:
     """
 
     def __init__(
-        self, simulation: Simulation, gross_motion: GrossMotion = "harmonic"
+        self,
+        simulation: Simulation,
+        gross_motion: GrossMotion = "harmonic",
+        planning: PlannerSettings | None = None,
     ) -> None:
         """Build the twin, both arms' inverse kinematics and their planners."""
         self._simulation = simulation
         self._torso = Torso(simulation.model, simulation.data)
         self._substeps = simulation.substeps(CONTROL_PERIOD)
         self.twin = KinematicTwin(simulation.settings)
-        self.arms = {side: arm_control(side, self.twin, gross_motion) for side in SIDES}
+        self.arms = {
+            side: arm_control(side, self.twin, gross_motion, planning) for side in SIDES
+        }
         self._workspace = workspace(simulation.settings.props)
         self.belief = Belief()
 

@@ -4,6 +4,7 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from prospect_mj.cli import command_line
 from prospect_mj.errors import InvalidValue
@@ -18,6 +19,8 @@ class StudyOptions:
     """Jittered presentations per side of the lid."""
     episodes: int = 200
     """Of a uniformly random policy, every physics step of which is audited."""
+    gross_motion: Literal["harmonic", "cartesian"] = "harmonic"
+    """How large movements go."""
     jobs: int = 2
     """Processes."""
     seed: int = 0
@@ -57,7 +60,10 @@ def _skills(options: StudyOptions) -> str:
     from prospect_mj.task.pick_place import TaskSettings
 
     runs = skill_study.skills_in_parallel(
-        TaskSettings(), options.presentations, options.jobs, options.seed
+        TaskSettings(gross_motion=options.gross_motion),
+        options.presentations,
+        options.jobs,
+        options.seed,
     )
     lines = ["action                           passed   of    mean s   max s"]
     for line in skill_study.summarise(runs):
@@ -74,7 +80,10 @@ def _episodes(options: StudyOptions) -> str:
     from prospect_mj.task.pick_place import TaskSettings
 
     episodes = skill_study.random_policy_in_parallel(
-        TaskSettings(), options.episodes, options.jobs, options.seed
+        TaskSettings(gross_motion=options.gross_motion),
+        options.episodes,
+        options.jobs,
+        options.seed,
     )
     contacts: Counter[tuple[str, str]] = Counter()
     saturated: Counter[str] = Counter()

@@ -9,6 +9,7 @@ from prospect_mj.control.differential_ik import DifferentialIK
 from prospect_mj.control.kinematics import KinematicTwin
 from prospect_mj.errors import InvalidChoice
 from prospect_mj.planning.planner import GrossPlanner
+from prospect_mj.planning.settings import PlannerSettings
 from prospect_mj.robot.names import Side
 
 GrossMotion = Literal["harmonic", "cartesian"]
@@ -31,7 +32,10 @@ class ArmControl:
 
 
 def arm_control(
-    side: Side, twin: KinematicTwin, gross_motion: GrossMotion = "harmonic"
+    side: Side,
+    twin: KinematicTwin,
+    gross_motion: GrossMotion = "harmonic",
+    planning: PlannerSettings | None = None,
 ) -> ArmControl:
     """An arm that makes large movements in one of two ways.
 
@@ -39,6 +43,7 @@ def arm_control(
         side: the arm.
         twin: shared by all controllers.
         gross_motion: `harmonic` along streamlines, `cartesian` straight.
+        planning: settings of the harmonic one.
 
     Raises:
         InvalidChoice: if it is neither.
@@ -46,5 +51,5 @@ def arm_control(
     if gross_motion not in GROSS_MOTIONS:
         raise InvalidChoice("gross motion", gross_motion, GROSS_MOTIONS)
     planned = gross_motion == "harmonic"
-    planner = GrossPlanner(twin.model, side) if planned else None
+    planner = GrossPlanner(twin.model, side, planning) if planned else None
     return ArmControl(side, twin, DifferentialIK(twin, side), planner)

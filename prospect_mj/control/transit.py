@@ -143,10 +143,10 @@ class Transit:
         self._reference = np.clip(
             self._reference, own.joints - slack, own.joints + slack
         )
-        self._velocity += self._change(own)
-        velocity = self._arm.ik.solve_velocity(self._velocity)
-        self._reference += velocity * CONTROL_PERIOD
-        target = self._reference + _LAG * velocity
+        wanted = self._velocity + self._change(own)
+        self._velocity = self._arm.ik.solve_velocity(wanted)
+        self._reference += self._velocity * CONTROL_PERIOD
+        target = self._reference + _LAG * self._velocity
         windup = self._settings.windup
         return np.clip(target, own.joints - windup, own.joints + windup)
 

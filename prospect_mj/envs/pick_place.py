@@ -16,8 +16,10 @@ from prospect_mj.agent.features import (
     Holding,
     StateFeatureGenerator,
 )
+from prospect_mj.control.arm_control import GrossMotion
 from prospect_mj.envs.reset_options import ResetOptions
 from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.planning.settings import PlannerSettings
 from prospect_mj.supervisor.supervisor import Mode, Supervisor
 from prospect_mj.task.pick_place import ObjectPose, PickPlaceTask, TaskSettings
 from prospect_mj.task.presentation import (
@@ -37,6 +39,10 @@ class PickPlaceSettings:
     """Actions not in the choice set of the first trials, as `<action>:<trials>`."""
     object_pose: ObjectPose = "vision"
     """Source of the jar's first pose; `truth` is an ablation."""
+    gross_motion: GrossMotion = "harmonic"
+    """How large movements go; `cartesian` is an ablation."""
+    grid_cells: int = 16
+    """Of the coarsest grid of the harmonic ones, for each of its four joints."""
     max_actions: int = 10
     """After which a trial is truncated."""
     features: FeatureSettings = field(default_factory=FeatureSettings)
@@ -132,6 +138,8 @@ status of the look: "found", "unsure" or "not_found" |
                 supervisor=self.settings.supervisor,
                 shaping=self.settings.shaping,
                 object_pose=self.settings.object_pose,
+                gross_motion=self.settings.gross_motion,
+                planning=PlannerSettings.with_cells(self.settings.grid_cells),
                 presentation=self.settings.presentation,
             )
         )

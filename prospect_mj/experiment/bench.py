@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, ParamSpec, TypeVar, cast
 
 from prospect_mj.agent import LinearQ
 from prospect_mj.errors import InvalidValue
-from prospect_mj.experiment.config import TrainConfig
+from prospect_mj.experiment.config import GrossMotion, TrainConfig
 from prospect_mj.experiment.environment import make_environment
 from prospect_mj.experiment.training import run_trial
 
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from prospect_mj.envs.pick_place import PickPlaceEnv
 
 PHYSICS, IK, RENDERING, VISION = "mj_step", "inverse kinematics", "rendering", "vision"
+PLANNING = "planning"
 OTHER = "other control, learner, reset"
 
 _Arguments = ParamSpec("_Arguments")
@@ -31,6 +32,8 @@ class BenchConfig:
     """Whole trials of an untrained learner, vision and learning included."""
     seed: int = 0
     """Of the presentations and of the learner."""
+    gross_motion: GrossMotion = "harmonic"
+    """How large movements go."""
 
     def __post_init__(self) -> None:
         """Refuse a benchmark of nothing."""
@@ -89,9 +92,12 @@ def bench(config: BenchConfig) -> BenchResult:
     Raises:
         ProspectError: if a model file is missing or nothing can be rendered.
     """
-    training = TrainConfig(trials=config.trials, seed=config.seed)
+    training = TrainConfig(
+        trials=config.trials, seed=config.seed, gross_motion=config.gross_motion
+    )
     env = cast("PickPlaceEnv", make_environment(training))
-    env.reset(seed=0)  # compiles and warms up
+    # Warms up: compiled code is loaded, or made, when it is first called.
+    run_trial(training, env, LinearQ(), config.trials)
     watch = _instrumented(env)
     learner = LinearQ()
     start = perf_counter()
@@ -112,6 +118,8 @@ def _instrumented(env: "PickPlaceEnv") -> Stopwatch:
     parts += [(task.vision, "look", VISION)]
     for arm in task.runner.arms.values():
         parts += [(arm.ik, "solve", IK), (arm.ik, "solve_posture", IK)]
+        if arm.planner is not None:
+            parts += [(arm.planner, name, PLANNING) for name in ("plan", "resume")]
     for owner, name, label in parts:
         setattr(owner, name, watch.timed(label, getattr(owner, name)))
     return watch
@@ -120,7 +128,7 @@ def _instrumented(env: "PickPlaceEnv") -> Stopwatch:
 def _result(
     simulated: float, wall: float, watch: Stopwatch, trials: int
 ) -> BenchResult:
-    labels = (PHYSICS, IK, RENDERING, VISION)
+    labels = (PHYSICS, IK, PLANNING, RENDERING, VISION)
     shares = {label: watch.seconds[label] / wall for label in labels}
     shares[OTHER] = 1.0 - sum(shares.values())
     look = (watch.seconds[RENDERING] + watch.seconds[VISION]) / trials

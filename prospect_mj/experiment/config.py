@@ -15,10 +15,12 @@ from prospect_mj.supervisor.supervisor import Mode, Supervisor
 # have to wait for these.
 Orientation = Literal["left", "right"]
 ObjectPose = Literal["vision", "truth"]
+GrossMotion = Literal["harmonic", "cartesian"]
 
 ORIENTATIONS: tuple[Orientation, ...] = get_args(Orientation)
 
 _MOST_TRIALS = 100_000
+_MOST_CELLS = 100_000
 _LARGEST_SEED = 2**63 - 1
 
 
@@ -42,6 +44,11 @@ class TrainConfig:
     swap-left-to-right:200 swap-right-to-left:200."""
     object_pose: ObjectPose = "vision"
     """Where the controllers get the jar's pose from; truth is an ablation."""
+    gross_motion: GrossMotion = "harmonic"
+    """How large movements go: harmonic: along streamlines in configuration space, clear
+    of everything; cartesian: straight, as an ablation."""
+    grid_cells: int = 16
+    """Cells of the harmonic ones' coarsest grid for each of its four joints."""
     max_actions: int = 10
     """A trial is cut off after this many actions."""
     bootstrap_at_truncation: bool = True
@@ -60,6 +67,8 @@ class TrainConfig:
         _check_choice("dominant hand", self.dominant, Orientation)
         Supervisor(self.supervisor, self.shaping)
         _check_choice("object pose", self.object_pose, ObjectPose)
+        _check_choice("gross motion", self.gross_motion, GrossMotion)
+        check_integer("grid cells per joint", self.grid_cells, 2, _MOST_CELLS)
         if not isinstance(self.bootstrap_at_truncation, bool):
             raise InvalidValue(
                 "bootstrap at truncation", self.bootstrap_at_truncation, "true or false"

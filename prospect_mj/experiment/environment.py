@@ -50,6 +50,8 @@ def make_environment(config: TrainConfig) -> Environment:
         supervisor=config.supervisor,
         shaping=config.shaping,
         object_pose=config.object_pose,
+        gross_motion=config.gross_motion,
+        grid_cells=config.grid_cells,
         max_actions=config.max_actions,
         features=config.features,
     )

@@ -1,7 +1,7 @@
 """Settings of harmonic gross motion planning."""
 
 from dataclasses import dataclass, field, replace
-from typing import Literal, get_args
+from typing import Literal, Self, get_args
 
 import numpy as np
 
@@ -75,6 +75,11 @@ class PlannerSettings:
             raise InvalidValue("number of attempts of the planner", 0, "at least 1")
         for attempt in self.attempts:
             self.grid(attempt, np.array(wam.JOINT_LIMITS)).check_memory()
+
+    @classmethod
+    def with_cells(cls, n: int) -> Self:
+        """The usual settings with another number of cells for each gross joint."""
+        return cls(cells=(n,) * GROSS_JOINTS)
 
     def grid(self, attempt: Attempt, limits: np.ndarray) -> JointGrid:
         """The grid of an attempt.

@@ -10,7 +10,9 @@ from prospect_mj.actions.belief import Belief, SeenJar
 from prospect_mj.actions.runner import ActionRunner
 from prospect_mj.actions.workspace import workspace
 from prospect_mj.closing import Closing
+from prospect_mj.control.arm_control import GROSS_MOTIONS, GrossMotion
 from prospect_mj.errors import InvalidChoice
+from prospect_mj.planning.settings import PlannerSettings
 from prospect_mj.robot.names import Side
 from prospect_mj.robot.torso import Torso
 from prospect_mj.sim.camera import EyeSettings, StereoCamera
@@ -43,15 +45,22 @@ class TaskSettings:
     """Actions that it may not choose in the first trials, as `<action>:<trials>`."""
     object_pose: ObjectPose = "vision"
     """Where the controllers know the jar's first pose from; `truth` is an ablation."""
+    gross_motion: GrossMotion = "harmonic"
+    """How large movements go: along streamlines in configuration space, or, as an
+    ablation, straight (`cartesian`)."""
+    planning: PlannerSettings = field(default_factory=PlannerSettings)
+    """Of the harmonic ones."""
     scene: SceneSettings = field(default_factory=SceneSettings)
     presentation: PresentationSettings = field(default_factory=PresentationSettings)
     eyes: EyeSettings = field(default_factory=EyeSettings)
     vision: VisionSettings = field(default_factory=VisionSettings)
 
     def __post_init__(self) -> None:
-        """Refuse an object pose from nowhere, a mode or a schedule that can't be."""
+        """Refuse choices that are none, and a schedule that can't be."""
         if self.object_pose not in get_args(ObjectPose):
             raise InvalidChoice("object pose", self.object_pose, get_args(ObjectPose))
+        if self.gross_motion not in GROSS_MOTIONS:
+            raise InvalidChoice("gross motion", self.gross_motion, GROSS_MOTIONS)
         Supervisor(self.supervisor, self.shaping)
 
 
@@ -81,7 +90,9 @@ class PickPlaceTask(Closing):
         """
         self.settings = TaskSettings() if settings is None else settings
         self.simulation = Simulation(self.settings.scene)
-        self.runner = ActionRunner(self.simulation)
+        self.runner = ActionRunner(
+            self.simulation, self.settings.gross_motion, self.settings.planning
+        )
         self.supervisor = Supervisor(self.settings.supervisor, self.settings.shaping)
         self.monitor = Monitor()
         self._torso = Torso(self.simulation.model, self.simulation.data)
