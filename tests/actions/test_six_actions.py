@@ -159,7 +159,7 @@ def test_an_outcome_lists_its_controllers_and_adds_up_their_time(rig, side):
     assert outcome.action is GRASP[side]
     assert outcome.sim_seconds == pytest.approx(rig.data.time - before)
     runs = [run.name for run in outcome.runs]
-    assert runs[:2] == ["GrossMotion", "HandMotion"]
+    assert runs[:2] == ["HarmonicReach", "HandMotion"]
     assert "GraspController" in runs
     assert "Weighing" in runs
     assert all(run.side == side for run in outcome.runs)

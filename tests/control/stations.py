@@ -5,26 +5,32 @@ import numpy as np
 from rig import Rig
 
 from prospect_mj.actions import poses
+from prospect_mj.actions.plan import Robot
 from prospect_mj.actions.workspace import workspace
 from prospect_mj.control.fine_motion import FineMotion
-from prospect_mj.control.gross_motion import GrossMotion
 from prospect_mj.control.insertion import InsertionController
 from prospect_mj.robot import names, posture
 
 UP = np.array([0.0, 0.0, 1.0])
 
 
+def robot_of(rig: Rig) -> Robot:
+    work = workspace(rig.simulation.settings.props)
+    return Robot(rig.arms, rig.belief, work)
+
+
 def round_the_jar(rig: Rig, side: str, offset=(0.0, 0.0), tilt=0.0) -> None:
     """Open hand round its end of the presented jar, displaced across the palm axis."""
-    work = workspace(rig.simulation.settings.props)
-    seen, arm, home = rig.belief.seen, rig.arms[side], posture.home(side)
+    robot = robot_of(rig)
+    work, arm = robot.workspace, rig.arms[side]
+    seen, home = rig.belief.seen, posture.home(side)
 
     def round_its_end():
         point, palm = poses.end_of_jar(side, seen.position, seen.axis, work.reach)
         return poses.pose(poses.turned_to(arm.grasp_pose().rotation(), palm), point)
 
     before = poses.backed_off(round_its_end(), work.stand_off)
-    assert rig.drive(GrossMotion(arm, before, home)).converged
+    assert rig.drive(robot.reach(side, before, home)).converged
     exact = round_its_end()
     beside = mink.SE3.from_rotation_and_translation(
         mink.SO3.exp(np.array([tilt, 0.0, 0.0])), np.array([*offset, 0.0])
@@ -34,17 +40,18 @@ def round_the_jar(rig: Rig, side: str, offset=(0.0, 0.0), tilt=0.0) -> None:
 
 def over_the_well(rig: Rig, side: str, aside=(0.0, 0.0)) -> InsertionController:
     """Held jar upright above the receptacle, `aside` [m] of its centre."""
-    work = workspace(rig.simulation.settings.props)
-    arm, reference = rig.arms[side], posture.over_well(side)
+    robot = robot_of(rig)
+    work, arm, reference = robot.workspace, rig.arms[side], posture.over_well(side)
     held = rig.belief.held[side]
     beside = work.over_well(work.via_height)
     beside = beside + [0.03, 0.08 * names.sign(side), 0.0]
-    for motion, centre in (
-        (GrossMotion, beside),
-        (FineMotion, work.over_well(work.rim_clearance) + [*aside, 0.0]),
-    ):
-        target = poses.jar_over(side, arm.grasp_pose(), held, centre, UP)
-        assert rig.drive(motion(arm, target, reference, carrying=True)).converged
+    target = poses.jar_over(side, arm.grasp_pose(), held, beside, UP)
+    reach = robot.reach(side, target, reference, carrying=True)
+    assert rig.drive(reach).converged
+    above = work.over_well(work.rim_clearance) + [*aside, 0.0]
+    target = poses.jar_over(side, arm.grasp_pose(), held, above, UP)
+    fine = FineMotion(arm, target, reference, carrying=True)
+    assert rig.drive(fine).converged
     free = (arm.grasp_pose() @ held).translation()[2] - work.jar_length / 2
     free -= work.well[2]
     depth = free + work.well_depth

@@ -7,10 +7,10 @@ from rig import OTHER, SIDES, angle_between, holding
 
 from prospect_mj.control.controller import CONTROL_PERIOD
 from prospect_mj.control.fine_motion import FINE, PASSING, FineMotion
-from prospect_mj.control.gross_motion import GROSS, GrossMotion
 from prospect_mj.control.hand_motion import HandMotion
 from prospect_mj.control.posture_motion import PostureMotion
 from prospect_mj.control.result import Status
+from prospect_mj.control.straight_reach import GROSS, StraightReach
 from prospect_mj.robot import names, posture, wam
 from prospect_mj.sim.audit import Audit
 
@@ -75,7 +75,7 @@ def test_speed_and_joint_velocities_stay_within_their_limits(rig, side):
         places.append(rig.twin.grasp_pose(side).translation())
         fastest.append(np.abs(rig.torso.arms[side].read().velocities).max())
 
-    motion = GrossMotion(rig.arms[side], target, posture.home(side))
+    motion = StraightReach(rig.arms[side], target, posture.home(side))
     assert rig.drive(motion, hook=watch).converged
     speed = np.linalg.norm(np.diff(places, axis=0), axis=1) / CONTROL_PERIOD
     assert 0.5 * GROSS.speed < speed.max() < 1.2 * GROSS.speed
@@ -144,7 +144,7 @@ def test_the_other_hand_is_not_touched_even_on_purpose(rig, side):
     rig.simulation.observer = audit
     target = pose_of(rig, OTHER[side])
     try:
-        result = rig.drive(GrossMotion(rig.arms[side], target, posture.home(side)))
+        result = rig.drive(StraightReach(rig.arms[side], target, posture.home(side)))
     finally:
         rig.simulation.observer = None
     assert result.status is Status.STALLED
@@ -159,7 +159,7 @@ def test_the_other_hand_is_not_touched_even_on_purpose(rig, side):
 
 @pytest.mark.parametrize("side", SIDES)
 @pytest.mark.parametrize(
-    "kind", [FineMotion, GrossMotion, PostureMotion], ids=lambda kind: kind.__name__
+    "kind", [FineMotion, StraightReach, PostureMotion], ids=lambda kind: kind.__name__
 )
 def test_an_object_taken_out_of_the_hand_is_missed_at_once(rig, side, kind):
     """The fingers are forced open half-way: felt within 0.2 s of the loss."""
