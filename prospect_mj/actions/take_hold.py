@@ -11,6 +11,7 @@ from prospect_mj.control.fine_motion import FineMotion
 from prospect_mj.control.grasp import GraspController
 from prospect_mj.control.grasp_settings import GraspResult
 from prospect_mj.control.hand_motion import HandMotion
+from prospect_mj.control.result import Status
 from prospect_mj.robot.names import Side
 
 WhereIsJar = Callable[[], mink.SE3]
@@ -34,6 +35,8 @@ def take_hold(robot: Robot, side: Side, jar: WhereIsJar) -> Plan:
     if grasped.converged:
         robot.belief.held[side] = arm.grasp_pose().inverse() @ jar()
         return ActionResult.SUCCESS
+    if grasped.status is Status.UNREACHABLE:
+        return ActionResult.NOT_REACHED
     retreat = poses.backed_off(arm.grasp_pose(), robot.workspace.stand_off)
     yield from plan.withdraw(robot, side, retreat)
     tried = isinstance(grasped, GraspResult)
