@@ -104,9 +104,6 @@ class Transit:
         self._watch(self.plan.length_left(own.joints))
         if self.arrived or self.failure:
             return None
-        if self._blocked:
-            self._velocity[:] = 0.0
-            return self._reference
         return self._towards(own)
 
     def _look(self, joints: np.ndarray) -> None:
@@ -118,11 +115,11 @@ class Transit:
         plan = None if self.plan is None else planner.resume(self.plan, joints, world)
         if plan is None:
             plan = planner.plan(joints, self._goal_sets, world)
+            self._shortest = np.inf if plan is not None else self._shortest
+        elif plan.goal != self.plan.goal:
+            self._shortest = np.inf
         self._blocked = plan is None
-        if plan is not None:
-            if self.plan is None or plan.goal != self.plan.goal:
-                self._shortest = np.inf
-            self.plan = plan
+        self.plan = self.plan if self._blocked else plan
 
     def _watch(self, left: float) -> None:
         """Give up when the way that is left no longer becomes shorter [rad]."""
@@ -157,7 +154,8 @@ class Transit:
         direction = ahead / max(float(np.linalg.norm(ahead)), 1e-9)
         pace = (self._speed / np.maximum(np.abs(direction), 1e-9)).min()
         left = self.plan.length_left(self._reference)
-        wanted = direction * min(pace, settings.braking * left)
+        pace = 0.0 if self._blocked else min(pace, settings.braking * left)
+        wanted = direction * pace
         change = wanted - self._velocity
         steepest = float(np.abs(change).max()) / CONTROL_PERIOD
         change *= min(1.0, settings.acceleration / max(steepest, 1e-9))
