@@ -67,16 +67,20 @@ class CartesianMotion(Controller):
         self._watch(error)
         if self._grip.lost(own.touch):
             self._finish(Status.LOST, GripWatch.REASON)
-        elif (
-            error.position < settings.position_tolerance
-            and error.angle < settings.angle_tolerance
-            and speed < settings.rest_speed
-        ):
+        elif self._within(error) and speed < settings.rest_speed:
             self._finish(Status.CONVERGED)
         elif self._idle > settings.stall_time:
             millimetres, degrees = error.position * 1e3, np.rad2deg(error.angle)
             reason = f"{millimetres:.1f} mm and {degrees:.1f} deg short of the target"
             self._finish(Status.STALLED, reason)
+
+    def _within(self, error: PoseError) -> bool:
+        """Whether the hand is as near to its target as it has to be."""
+        tolerance = self._settings
+        return (
+            error.position < tolerance.position_tolerance
+            and error.angle < tolerance.angle_tolerance
+        )
 
     def _watch(self, error: PoseError) -> None:
         """Time since the last progress."""

@@ -72,6 +72,8 @@ class HarmonicReach(CartesianMotion):
             self._finish(Status.LOST, GripWatch.REASON)
         elif self.transit.failure is not None:
             self._finish(*self.transit.failure)
+        elif self._within(self._servo.error(self._target)):
+            self._finish(Status.CONVERGED)
         if self.transit.arrived:
             # The straight law goes on from here, towards the same configuration.
             self._servo = HandServo(self._arm, self.transit.goal, self._settings)

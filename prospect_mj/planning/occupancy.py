@@ -98,39 +98,48 @@ def free_cells(arm, shoulders, elbows, fixed, moving, room, chart, reach, margin
         Whether a cell is free (m, n).
     """
     free = room >= 0.0
-    gross, wrist = np.empty((1, 4)), np.empty(3)
-    # Handing over the whole arm each time would cost more than what is done with it.
-    joints, forearm, hand, jar = arm.joints, arm.forearm, arm.hand, arm.jar
-    centre, far = arm.wrist, reach + margin
+    gross, far = np.empty((1, 4)), reach + margin
     for i in range(shoulders.shape[0]):
         frames = link_frames(arm, shoulders[i])
         if link_clearance(arm.upper_arm, UPPER_ARM, frames, moving, margin) < margin:
             free[i] = False
             continue
-        own = upper_arm_solids(arm, frames)
+        here = free[i]
         gross[0, :3] = shoulders[i]
-        for k in range(elbows.shape[0]):
-            if not free[i, k]:
-                continue
-            advance(frames, joints, 3, elbows[k])
-            if link_clearance(forearm, FOREARM, frames, moving, margin) < margin:
-                free[i, k] = False
-                continue
-            tight = room[i, k] < far
-            near = _wrist_room(centre, frames, moving, far) < far
-            folded = elbows[k] > FOLDED
-            # Where the hand can't reach anything, its place need not be known.
-            if tight or near or folded:
-                gross[0, 3] = elbows[k]
-                wrist_at(chart, gross, 0, wrist)
-                for j in range(3):
-                    advance(frames, joints, 4 + j, wrist[j])
-                free[i, k] = (
-                    (not near or _keeps(hand, jar, frames, moving, margin))
-                    and (not folded or _keeps(hand, jar, frames, own, margin))
-                    and (not tight or _keeps(hand, jar, frames, fixed, margin))
-                )
+        _close(
+            arm, frames, gross, elbows, fixed, moving, room[i], chart, far, margin, here
+        )
     return free
+
+
+# As a call of its own it would take a fifth longer.
+@njit(cache=True, error_model="numpy", inline="always")
+def _close(arm, frames, gross, elbows, fixed, moving, room, chart, far, margin, free):  # noqa: ANN001, ANN202
+    """Take from one shoulder's free cells (n,) those where forearm or hand is not."""
+    # Handing over the whole arm each time would cost more than what is done with it.
+    joints, forearm, hand, jar = arm.joints, arm.forearm, arm.hand, arm.jar
+    own, wrist = upper_arm_solids(arm, frames), np.empty(3)
+    for k in range(elbows.shape[0]):
+        if not free[k]:
+            continue
+        advance(frames, joints, 3, elbows[k])
+        if link_clearance(forearm, FOREARM, frames, moving, margin) < margin:
+            free[k] = False
+            continue
+        tight = room[k] < far
+        near = _wrist_room(arm.wrist, frames, moving, far) < far
+        folded = elbows[k] > FOLDED
+        # Where the hand can't reach anything, its place need not be known.
+        if tight or near or folded:
+            gross[0, 3] = elbows[k]
+            wrist_at(chart, gross, 0, wrist)
+            for j in range(3):
+                advance(frames, joints, 4 + j, wrist[j])
+            free[k] = (
+                (not near or _keeps(hand, jar, frames, moving, margin))
+                and (not folded or _keeps(hand, jar, frames, own, margin))
+                and (not tight or _keeps(hand, jar, frames, fixed, margin))
+            )
 
 
 @njit(cache=True, error_model="numpy")

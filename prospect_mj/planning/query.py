@@ -116,21 +116,10 @@ def make_query(
     clear = wide if wide.any() else room > 0.0
     chosen = np.flatnonzero(clear)[apart(goals[clear], most)]
     goals, room = goals[chosen], room[chosen]
-    chart = _chart(start, goals, attempt.wrist)
     here = clearances(arm, start[None], rows, CEILING)
     ends = np.concatenate([here, room])
-    return Query(
-        arm,
-        solids,
-        rows,
-        body.reach,
-        start,
-        goals,
-        ends,
-        chart,
-        attempt.path_margin,
-        zone,
-    )
+    known = start, goals, ends, _chart(start, goals, attempt.wrist)
+    return Query(arm, solids, rows, body.reach, *known, attempt.path_margin, zone)
 
 
 def _chart(start: np.ndarray, goals: np.ndarray, wrist: Wrist) -> Chart:

@@ -7,7 +7,7 @@ from prospect_mj.errors import InvalidChoice
 
 _SLENDERNESS = 0.8
 """Distance of neighbouring spheres in radii of the geom: the cover stands out by a
-sixth of the radius between them, and by more at the rim of a cylinder."""
+thirteenth of the radius, and by more at the ends of a cylinder."""
 
 _SPACING = 0.02
 """Where this is more, it is taken instead [m]: a finger needs no fine cover."""

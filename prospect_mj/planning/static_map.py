@@ -5,6 +5,7 @@ import hashlib
 import os
 import tempfile
 from pathlib import Path
+from tokenize import TokenError
 
 import numpy as np
 import platformdirs
@@ -17,6 +18,9 @@ from prospect_mj.planning.settings import GROSS_JOINTS
 
 MOST_ROOM = 0.60
 """Larger distances are not told apart: no hand with a jar reaches further [m]."""
+
+_DAMAGED = (ValueError, EOFError, TokenError)
+"""What numpy answers a file with that is empty, cut off or not an array."""
 
 
 def static_room(
@@ -34,7 +38,7 @@ def static_room(
         Distances (m, n) [m], float32, a row for each of the shoulder's cells.
     """
     path = _folder() / f"{_content_hash(body, fixed, grid, margin)}.npy"
-    with contextlib.suppress(OSError, ValueError):
+    with contextlib.suppress(OSError, *_DAMAGED):
         stored = np.load(path)
         if stored.size == grid.size and stored.dtype == np.float32:
             return stored
