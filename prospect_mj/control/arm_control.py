@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 import mink
+import numpy as np
 
 from prospect_mj.control.differential_ik import DifferentialIK
 from prospect_mj.control.kinematics import KinematicTwin
@@ -25,6 +26,10 @@ class ArmControl:
     ik: DifferentialIK
     planner: GrossPlanner | None = None
     """Of large movements; None: they go straight."""
+
+    def joints(self) -> np.ndarray:
+        """Joint angles (7,) [rad], from the encoders."""
+        return self.twin.configuration.q[self.twin.columns(self.side)]
 
     def grasp_pose(self) -> mink.SE3:
         """Pose of the hand's grasp site in the world, from the encoders."""

@@ -54,14 +54,14 @@ class HarmonicReach(CartesianMotion):
         self._posture = posture
         # Found when they are first needed, as some seldom are; then kept.
         sets = [
-            GoalSet(cache(partial(self._goals, how)), how.most)
+            GoalSet(cache(partial(self._goals, how)), how.most, how.spread)
             for how in (NATURAL, THOROUGH)
         ]
         self.transit = Transit(arm, sets, jars, carrying)
 
     def _goals(self, how: GoalSearch) -> np.ndarray:
-        free_roll = self._settings.free_roll
-        return goals(self.side, self._target, self._posture, free_roll, how)
+        here, free_roll = self._arm.joints(), self._settings.free_roll
+        return goals(self.side, self._target, here, self._posture, free_roll, how)
 
     def _law(self, reading: Reading) -> Targets:
         own = reading[self.side]

@@ -24,17 +24,20 @@ class GoalSearch:
     """Kept from every joint limit [rad]."""
     most: int
     """Goals to plan for."""
+    spread: float
+    """Distance from the most natural one within which they lie [rad]."""
 
 
-NATURAL = GoalSearch(swivels=24, rolls=12, limit_margin=0.1, most=6)
+NATURAL = GoalSearch(swivels=24, rolls=24, limit_margin=0.1, most=6, spread=1.0)
 """Some, not too near to the joint limits for the fine motion that follows."""
-THOROUGH = GoalSearch(swivels=96, rolls=36, limit_margin=0.04, most=24)
+THOROUGH = GoalSearch(swivels=96, rolls=36, limit_margin=0.04, most=24, spread=np.inf)
 """Whatever there is."""
 
 
 def goals(
     side: Side,
     pose: mink.SE3,
+    start: np.ndarray,
     reference: np.ndarray,
     free_roll: bool,
     how: GoalSearch = NATURAL,
@@ -44,7 +47,9 @@ def goals(
     Args:
         side: the arm.
         pose: in the world.
-        reference: joint angles (7,) [rad]; the nearer to these, the more natural.
+        start: joint angles (7,) [rad] of the arm now.
+        reference: joint angles (7,) [rad] as in the work to be done there; the nearer
+            to both, the more natural.
         free_roll: whether the hand may be turned about the palm's axis.
         how: how thoroughly to search.
 
@@ -57,18 +62,26 @@ def goals(
     found = wam_ik.solutions_free_roll(
         side, pose.translation(), turn, swivels, rolls, how.limit_margin
     )
-    order = np.argsort(np.linalg.norm(found - reference, axis=1), kind="stable")
-    return found[order]
+    away = np.linalg.norm(found - reference, axis=1)
+    away += np.linalg.norm(found - start, axis=1)
+    return found[np.argsort(away, kind="stable")]
 
 
 def _whole_turn(n: int) -> np.ndarray:
     return np.linspace(-np.pi, np.pi, n, endpoint=False)
 
 
-def apart(candidates: np.ndarray, most: int) -> list[int]:
-    """Numbers of the first `most` of candidates (n, 7) that differ from each other."""
+def apart(candidates: np.ndarray, most: int, spread: float) -> list[int]:
+    """Numbers of the first few of candidates (n, 7) that differ from each other.
+
+    Args:
+        candidates: joint angles (n, 7) [rad].
+        most: how many.
+        spread: distance from the first one within which they lie [rad].
+    """
     chosen: list[int] = []
-    left = np.arange(len(candidates))
+    near = np.linalg.norm(candidates - candidates[:1], axis=1) <= spread
+    left = np.flatnonzero(near)
     while len(left) and len(chosen) < most:
         chosen.append(int(left[0]))
         away = np.linalg.norm(candidates[left] - candidates[left[0]], axis=1)

@@ -25,6 +25,8 @@ class GoalSet(NamedTuple):
     """Tells joint angles (n, 7) [rad], the preferred ones first."""
     most: int = 1
     """Of those that are clear, how many to plan for."""
+    spread: float = np.inf
+    """Distance from the first of them within which they lie [rad]."""
 
 
 @dataclass(frozen=True)
@@ -113,8 +115,9 @@ class GrossPlanner:
         body = body_with(self.body, world.jars)
         moving = self._surroundings.moving(world.data, world.jars)
         solids = Solids(self._surroundings.fixed, moving)
+        found, most, spread = goals.find(), goals.most, goals.spread
         zone = self.settings.end_zone
-        return make_query(body, solids, start, goals.find(), goals.most, attempt, zone)
+        return make_query(body, solids, start, found, most, spread, attempt, zone)
 
     def _map(self, attempt: Attempt) -> Map:
         """The static part of an attempt."""

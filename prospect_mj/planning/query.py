@@ -94,6 +94,7 @@ def make_query(
     start: np.ndarray,
     goals: np.ndarray,
     most: int,
+    spread: float,
     attempt: Attempt,
     zone: float,
 ) -> Query:
@@ -106,6 +107,7 @@ def make_query(
         goals: joint angles (n, 7) [rad], the preferred ones first; those that touch
             something are left out, and those that are much like an earlier one.
         most: goals to keep.
+        spread: distance from the first one within which they lie [rad].
         attempt: tells the clearance of the way, which all goals have if any has, and
             the wrist.
         zone: distance from an end up to which a way may be as near as that end [rad].
@@ -114,7 +116,7 @@ def make_query(
     room = clearances(arm, goals, rows, CEILING)
     wide = room >= attempt.path_margin
     clear = wide if wide.any() else room > 0.0
-    chosen = np.flatnonzero(clear)[apart(goals[clear], most)]
+    chosen = np.flatnonzero(clear)[apart(goals[clear], most, spread)]
     goals, room = goals[chosen], room[chosen]
     here = clearances(arm, start[None], rows, CEILING)
     ends = np.concatenate([here, room])

@@ -12,7 +12,7 @@ from prospect_mj.planning.joint_grid import JointGrid
 from prospect_mj.planning.occupancy import free_cells
 from prospect_mj.planning.query import Query
 from prospect_mj.planning.settings import GROSS_JOINTS, Attempt, PlannerSettings
-from prospect_mj.planning.sight import cells_in_sight, line
+from prospect_mj.planning.sight import cells_in_sight, line, subdivided
 from prospect_mj.planning.static_map import shoulders_and_elbows
 from prospect_mj.planning.streamline import streamline
 
@@ -101,7 +101,9 @@ def ways(
         before = line(query.start, path[0], settings.step)[:-1]
         behind = line(path[-1], query.goals[goal], settings.step)[1:]
         last = float(np.linalg.norm(query.goals[goal] - path[-1]))
-        yield Way(np.concatenate([before, path, behind]), goal, last)
+        # The wrist may turn by far more than shoulder and elbow from point to point.
+        path = subdivided(np.concatenate([before, path, behind]), settings.step)
+        yield Way(path, goal, last)
 
 
 class _Search:

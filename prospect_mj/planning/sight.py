@@ -19,6 +19,16 @@ def line(first: np.ndarray, last: np.ndarray, step: float) -> np.ndarray:
     return np.linspace(first, last, n + 1)
 
 
+def subdivided(path: np.ndarray, step: float) -> np.ndarray:
+    """A path (n, 7) [rad] with further points on it, all at most a step apart."""
+    steps = np.diff(path, axis=0)
+    n = np.maximum(np.ceil(np.linalg.norm(steps, axis=1) / step), 1).astype(int)
+    segment = np.repeat(np.arange(len(n)), n)
+    share = (np.arange(n.sum()) - (np.cumsum(n) - n)[segment]) / n[segment]
+    points = path[segment] + share[:, None] * steps[segment]
+    return np.concatenate([points, path[-1:]])
+
+
 def cells_in_sight(
     query: Query, grid: JointGrid, free: np.ndarray, joints: np.ndarray, step: float
 ) -> list[Cell]:
