@@ -18,6 +18,7 @@ CONFINED = {
     "gymnasium": ("prospect_mj/envs/",),
     "matplotlib": (
         "prospect_mj/experiment/automaton_plot.py",
+        "prospect_mj/experiment/field_plot.py",
         "prospect_mj/experiment/plots.py",
         "prospect_mj/experiment/vision_plots.py",
     ),
@@ -25,6 +26,9 @@ CONFINED = {
         "prospect_mj/experiment/automaton_graph.py",
         "prospect_mj/supervisor/automaton.py",
     ),
+    # Compiled code on disk grows stale unseen where what it calls is in another file,
+    # but for the planner's: see `planning.kernel_cache`.
+    "numba": ("prospect_mj/experiment/ideal_task.py", "prospect_mj/planning/"),
     "rerun": (),
 }
 """Library: the only places that may import it (those of a later issue: nowhere)."""
