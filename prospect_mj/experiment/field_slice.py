@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-import mujoco
 import numpy as np
 
 from prospect_mj.control.kinematics import KinematicTwin
@@ -62,7 +61,7 @@ def joint_slice() -> Slice:
     """The slice of the left arm among the real scene, a post before it."""
     twin = KinematicTwin(SceneSettings(props=Props(obstacle=Obstacle())))
     twin.place_obstacle(np.array(POST))
-    mujoco.mj_kinematics(twin.model, twin.data)
+    twin.configuration.update()
     body = arm_body(twin.model, "left")
     low, high = np.array(wam.JOINT_LIMITS)[list(JOINTS)].T
     grid = JointGrid(tuple(low), tuple(high), CELLS)
