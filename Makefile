@@ -37,7 +37,7 @@ lint: $(DEV) ## style, format and import contracts
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
 
-study: $(DEV) $(GL) ## the slow studies: success rates, learning on image banks
+study: $(DEV) $(GL) ## the slow studies: actions, reaches, supervisor, learning
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m slow --timeout 7200 $(ARGS)
 
 bench: $(RUNTIME) $(GL) ## simulated seconds per wall second, and where the time goes

@@ -114,7 +114,9 @@ class Transit:
         planner, world = self._arm.planner, World(self._arm.twin.data, self._jars)
         plan = None if self.plan is None else planner.resume(self.plan, joints, world)
         if plan is None:
-            plan = planner.plan(joints, self._goal_sets, world)
+            # Under way there is no time to search for long.
+            first = self.plan is None
+            plan = planner.plan(joints, self._goal_sets, world, first)
             self._shortest = np.inf if plan is not None else self._shortest
         elif plan.goal != self.plan.goal:
             self._shortest = np.inf

@@ -50,6 +50,13 @@ class PickPlaceSettings:
     presentation: PresentationSettings = field(default_factory=PresentationSettings)
     """Spread of the jar's place and of the lamp's brightness."""
 
+    @property
+    def planning(self) -> PlannerSettings:
+        """Settings of the planner; a straight reach makes no grid."""
+        if self.gross_motion == "cartesian":
+            return PlannerSettings()
+        return PlannerSettings.with_cells(self.grid_cells)
+
     def __post_init__(self) -> None:
         """Refuse a trial without actions, a mode or a schedule that can't be."""
         if not 1 <= self.max_actions <= 1000:
@@ -139,7 +146,7 @@ status of the look: "found", "unsure" or "not_found" |
                 shaping=self.settings.shaping,
                 object_pose=self.settings.object_pose,
                 gross_motion=self.settings.gross_motion,
-                planning=PlannerSettings.with_cells(self.settings.grid_cells),
+                planning=self.settings.planning,
                 presentation=self.settings.presentation,
             )
         )

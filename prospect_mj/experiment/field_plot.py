@@ -31,7 +31,6 @@ STARTS = np.array(
         (0.6, 1.2),
         (0.95, 2.35),
         (1.5, 2.3),
-        (1.55, 2.05),
         (2.3, 2.3),
         (2.4, -0.6),
         (1.3, -0.7),
@@ -60,7 +59,7 @@ def field_picture() -> bytes:
 
 def drawing(shown: Slice) -> Figure:
     """The figure of a slice."""
-    lines = [line for line in shown.streamlines(STARTS) if line.reached]
+    lines = shown.streamlines(STARTS)
     figure = Figure(figsize=(13, 5.4), dpi=110, layout="constrained")
     left, right = figure.subplots(1, 2, width_ratios=(1.9, 1))
     _draw_space(left, shown, lines)
@@ -84,11 +83,11 @@ def _draw_space(axes: Axes, shown: Slice, lines: list[Streamline]) -> None:
         axes.plot(*line.points.T, color=_LINE, linewidth=1.2)
         axes.plot(*line.points[0], "o", color=_LINE, markersize=3.5)
     axes.plot(*GOAL, "*", color="#ffd23f", markeredgecolor=_INK, markersize=17)
-    axes.figure.colorbar(filled, ax=axes, label="log10 u", pad=0.01)
+    axes.figure.colorbar(filled, ax=axes, pad=0.01)
     axes.set(aspect="auto", xlim=extent[:2], ylim=extent[2:])
     axes.set_xlabel("shoulder J1 [rad]")
     axes.set_ylabel("elbow J4 [rad]")
-    axes.set_title("A harmonic function, the goal a star, and its streamlines")
+    axes.set_title("log10 u, the goal a star, and streamlines from the dots")
     patches = [Patch(color=c, label=k) for c, k in zip(_TINTS, KINDS, strict=True)]
     axes.legend(handles=patches, loc="upper center", ncols=5, fontsize=8.5)
 
@@ -107,6 +106,6 @@ def _draw_decay(axes: Axes) -> None:
         axes.text(x, limit - 8, text, color=_INK, fontsize=9, ha=side, va="top")
     axes.set(xlim=(0, LONGEST), ylim=(log_u.min(), 60))
     axes.set_xlabel("distance from the goal in a corridor [widths]")
-    axes.set_ylabel("log10 u")
-    axes.set_title("Why extended range")
+    axes.set_ylabel("log10 u", labelpad=0)
+    axes.set_title("u along a corridor: why extended range")
     axes.spines[["top", "right"]].set_visible(False)

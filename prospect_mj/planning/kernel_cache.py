@@ -2,11 +2,16 @@
 
 numba compiles a function again when its own file has changed, but not when a function
 that it calls has changed in another file. A folder named for the content of all files
-leaves no stale code behind; it is the user's, so that a read-only installation works.
+leaves no stale code behind. It is the user's, so that a read-only installation works;
+where the user has no folder to write to, the code is compiled anew by every process.
+The setting is numba's own: other libraries' compiled code goes to the same folder.
 """
 
+import atexit
 import hashlib
 import os
+import shutil
+import tempfile
 from pathlib import Path
 
 import numba
@@ -15,7 +20,15 @@ import platformdirs
 
 def use() -> None:
     """Let numba cache in this folder what is compiled from now on."""
-    numba.config.CACHE_DIR = str(_root() / f"kernels-{sources()[:16]}")
+    folder = _root() / f"kernels-{sources()[:16]}"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except OSError:
+        folder = Path(tempfile.mkdtemp(prefix="prospect_mj-"))
+        atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    numba.config.CACHE_DIR = str(folder)
 
 
 def _root() -> Path:

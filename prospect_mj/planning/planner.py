@@ -7,14 +7,16 @@ from typing import NamedTuple
 import mujoco
 import numpy as np
 
+from prospect_mj.errors import InvalidValue
 from prospect_mj.planning.arm_body import arm_body
 from prospect_mj.planning.arm_kernels import clearances
 from prospect_mj.planning.gross_plan import GrossPlan
-from prospect_mj.planning.query import Query, Solids, make_query
+from prospect_mj.planning.query import CEILING, Query, Solids, make_query
 from prospect_mj.planning.search import Map, resumed, search, straight
 from prospect_mj.planning.settings import Attempt, PlannerSettings
 from prospect_mj.planning.static_map import static_room
 from prospect_mj.planning.surroundings import KnownJars, Surroundings, body_with
+from prospect_mj.robot import wam
 from prospect_mj.robot.names import Side
 
 
@@ -57,7 +59,11 @@ class GrossPlanner:
         self._map(self.settings.attempts[0])
 
     def plan(
-        self, start: np.ndarray, goal_sets: Sequence[GoalSet], world: World
+        self,
+        start: np.ndarray,
+        goal_sets: Sequence[GoalSet],
+        world: World,
+        thorough: bool = True,
     ) -> GrossPlan | None:
         """A way from one configuration to any of several others.
 
@@ -65,11 +71,22 @@ class GrossPlanner:
             start: joint angles (7,) [rad].
             goal_sets: where to, the preferred set first.
             world: what moves.
+            thorough: whether finer grids are tried when the coarse one shows no way;
+                that there is none at all takes seconds to find out.
 
         Returns:
-            The way, or None if there is none that the finest grid shows.
+            The way, or None if there is none that the grids show.
+
+        Raises:
+            InvalidValue: without a goal set, or with a start that is no configuration.
         """
-        for attempt in self.settings.attempts:
+        if not goal_sets:
+            raise InvalidValue("number of goal sets", 0, "at least 1")
+        if start.shape != (wam.N_JOINTS,) or not np.isfinite(start).all():
+            expected = f"{wam.N_JOINTS} finite joint angles"
+            raise InvalidValue("start of a gross motion", start.tolist(), expected)
+        coarse = [a for a in self.settings.attempts if a.refinement == 1]
+        for attempt in self.settings.attempts if thorough else coarse:
             for goals in goal_sets:
                 query = self._query(start, goals, world, attempt)
                 plan = self._answer(query, attempt)
@@ -103,7 +120,7 @@ class GrossPlanner:
         """Least distances (n,) [m] of configurations (n, 7) [rad] to anything."""
         body = body_with(self.body, world.jars)
         rows = self._rows(world)
-        return clearances(body.arrays, configurations, rows, 0.3)
+        return clearances(body.arrays, configurations, rows, CEILING)
 
     def _rows(self, world: World) -> np.ndarray:
         moving = self._surroundings.moving(world.data, world.jars)

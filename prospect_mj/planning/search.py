@@ -134,6 +134,8 @@ class _Search:
             if not self._goal_of:
                 return None
             field = self._solve()
+            if not field.converged:
+                return None
             touched, furthest = None, -1
             for way in self._ways(field, entries):
                 near = self._query.too_near(way.path)
