@@ -73,6 +73,7 @@ PLANTED = [
     (libraries_are_confined, "prospect_mj/robot/a.py", "from dm_control import mjcf"),
     (libraries_are_confined, "prospect_mj/envs/a.py", "import matplotlib.pyplot as p"),
     (libraries_are_confined, "prospect_mj/agent/a.py", "import gymnasium"),
+    (libraries_are_confined, "prospect_mj/control/a.py", "from numba import njit"),
     (libraries_are_confined, "prospect_mj/a.py", "def f():\n    import rerun as rr"),
     (the_learner_needs_only_numpy, "prospect_mj/agent/a.py", "import scipy.linalg"),
     (the_learner_needs_only_numpy, "prospect_mj/agent/a.py", "from ..sim import gl"),
@@ -105,6 +106,7 @@ ALLOWED = [
     ),
     (libraries_are_confined, "prospect_mj/sim/scene.py", "from dm_control import mjcf"),
     (libraries_are_confined, "prospect_mj/envs/a.py", "import gymnasium as gym"),
+    (libraries_are_confined, "prospect_mj/planning/a.py", "from numba import njit"),
     (
         the_learner_needs_only_numpy,
         "prospect_mj/agent/a.py",

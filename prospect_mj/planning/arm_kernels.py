@@ -19,7 +19,9 @@ axis, so that the wrist does not move them; link 7 with the hand; a held jar."""
 FRAME_OF = (3, 4, 7, 7)
 """Number of joints before each of them."""
 FOLDED = 2.0
-"""Elbow angle below which hand and jar keep 4 cm from the own upper arm [rad]."""
+"""Elbow angle below which hand and jar are clear of the own upper arm [rad]."""
+FOLDED_CLEARANCE = 0.04
+"""By how much at least [m]."""
 
 
 @njit(cache=True, error_model="numpy")

@@ -5,9 +5,6 @@ value near by, which leaves the gradient's direction and takes away its underflo
 step that this direction would take past the corner of a wall goes to the highest
 neighbouring cell instead. By the maximum principle that cell's value is higher than the
 own one, and the straight way to its centre lies in the two cells.
-
-All of it is in one module, as numba's cache of a function does not see when another
-module's function changes that it calls.
 """
 
 import numpy as np

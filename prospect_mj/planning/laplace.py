@@ -1,7 +1,7 @@
 """Laplace's equation on the free cells of a grid, with u = 1 at goals and 0 at walls.
 
 u is the probability that a random walk meets a goal before an obstacle (Connolly 1994).
-What is solved for is log u, to a tolerance of log u: behind two baffles u is so small
+What is solved for is log u, to a tolerance of log u: far down a corridor u is so small
 that a test of the residual is met long before u has its first correct digit.
 """
 

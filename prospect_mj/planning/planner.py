@@ -51,7 +51,7 @@ class GrossPlanner:
     def __init__(
         self, model: mujoco.MjModel, side: Side, settings: PlannerSettings | None = None
     ) -> None:
-        """Compute or load the static part."""
+        """Compute or load the static part of the first attempt; others come later."""
         self.settings = PlannerSettings() if settings is None else settings
         self.body = arm_body(model, side)
         self._surroundings = Surroundings(model, side)

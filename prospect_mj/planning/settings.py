@@ -5,7 +5,8 @@ from typing import Literal, Self, get_args
 
 import numpy as np
 
-from prospect_mj.errors import InvalidValue
+from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.planning.arm_kernels import FOLDED_CLEARANCE
 from prospect_mj.planning.joint_grid import JointGrid
 from prospect_mj.planning.laplace import SolverSettings
 from prospect_mj.robot import wam
@@ -32,6 +33,23 @@ class Attempt:
     wrist: Wrist = "between"
     """How it is held on the way: between those of the start and of the goals; as at the
     goals or as at the start, which turns it on the spot before or after; straight."""
+
+    def __post_init__(self) -> None:
+        """Refuse margins and wrists that the occupancy map does not know.
+
+        Raises:
+            InvalidValue: on a margin that a hand beyond a bent elbow may not have, or
+                on no refinement or repair at all.
+            InvalidChoice: on a wrist that does not exist.
+        """
+        if not 0 <= self.cell_margin <= FOLDED_CLEARANCE:
+            expected = f"0 to {FOLDED_CLEARANCE}"
+            raise InvalidValue("cell margin [m]", self.cell_margin, expected)
+        for name in ("refinement", "repairs"):
+            if getattr(self, name) < 1:
+                raise InvalidValue(name, getattr(self, name), "at least 1")
+        if self.wrist not in get_args(Wrist):
+            raise InvalidChoice("wrist", self.wrist, get_args(Wrist))
 
 
 _TIGHT = Attempt(refinement=1, cell_margin=0.012, path_margin=0.008)

@@ -10,11 +10,6 @@ from prospect_mj.sim.props import Jar, Props
 from prospect_mj.sim.scene import SceneSettings
 
 
-OUT_OF_REACH = 0.16
-"""Of the fingers of an open hand, however it is rolled: the lid's radius, the tips'
-distance from the palm's axis and their own radius add up to less [m]."""
-
-
 @pytest.fixture(scope="module")
 def icy():
     """A scene whose jar is as smooth as wet ice."""
@@ -40,7 +35,7 @@ def test_a_jar_without_friction_is_reported_as_not_graspable(icy, side, lid):
 
 
 @pytest.mark.parametrize("side", SIDES)
-@pytest.mark.parametrize("bias", [(OUT_OF_REACH, 0, 0), (0, 0.08, 0), (0, 0, 0.08)])
+@pytest.mark.parametrize("bias", [(0.08, 0, 0), (0, 0.08, 0), (0, 0, 0.08)])
 def test_a_jar_that_is_not_where_it_was_believed_is_not_grasped(rig, side, bias):
     bias = np.array(bias) * [1, 1 if side == "left" else -1, 1]
     rig.present(lid=side, bias=bias)
@@ -57,7 +52,7 @@ def test_a_jar_that_is_not_where_it_was_believed_is_not_grasped(rig, side, bias)
 @pytest.mark.parametrize("side", SIDES)
 def test_after_a_failed_grasp_any_action_can_follow(rig, side):
     """The hand missed the jar and left it where it is; a better look finds it."""
-    rig.present(lid=side, bias=(OUT_OF_REACH, 0, 0))
+    rig.present(lid=side, bias=(0.08, 0, 0))
     rig.act(GRASP[side])
     axis = rig.simulation.jar_axis
     seen = SeenJar(rig.simulation.jar_position, np.sign(axis[1]) * axis)
@@ -67,10 +62,9 @@ def test_after_a_failed_grasp_any_action_can_follow(rig, side):
 
 
 @pytest.mark.parametrize("side", SIDES)
-@pytest.mark.parametrize("bias", [-0.08, 0.08])
-def test_a_jar_in_the_way_of_the_hand_is_not_reached(rig, side, bias):
-    """Believed 8 cm nearer or further: the open fingers run into it on the way."""
-    rig.present(lid=side, bias=(bias, 0, 0))
+def test_a_jar_in_the_way_of_the_hand_is_not_reached(rig, side):
+    """Believed 8 cm nearer than it is: the open fingers run into it on the way."""
+    rig.present(lid=side, bias=(-0.08, 0, 0))
     (outcome,) = rig.act(GRASP[side])
     assert outcome.result in (ActionResult.NOT_REACHED, ActionResult.NOT_GRASPED)
     assert "GraspController" not in [run.name for run in outcome.runs]

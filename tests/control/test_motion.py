@@ -8,9 +8,11 @@ from rig import OTHER, SIDES, angle_between, holding
 from prospect_mj.control.controller import CONTROL_PERIOD
 from prospect_mj.control.fine_motion import FINE, PASSING, FineMotion
 from prospect_mj.control.hand_motion import HandMotion
+from prospect_mj.control.harmonic_motion import HarmonicPosture, HarmonicReach
 from prospect_mj.control.posture_motion import PostureMotion
 from prospect_mj.control.result import Status
 from prospect_mj.control.straight_reach import GROSS, StraightReach
+from prospect_mj.planning.surroundings import JarShape, KnownJars
 from prospect_mj.robot import names, posture, wam
 from prospect_mj.sim.audit import Audit
 
@@ -159,17 +161,22 @@ def test_the_other_hand_is_not_touched_even_on_purpose(rig, side):
 
 @pytest.mark.parametrize("side", SIDES)
 @pytest.mark.parametrize(
-    "kind", [FineMotion, StraightReach, PostureMotion], ids=lambda kind: kind.__name__
+    "kind",
+    [FineMotion, StraightReach, PostureMotion, HarmonicReach, HarmonicPosture],
+    ids=lambda kind: kind.__name__,
 )
 def test_an_object_taken_out_of_the_hand_is_missed_at_once(rig, side, kind):
     """The fingers are forced open half-way: felt within 0.2 s of the loss."""
     rig.restore(holding(side))
-    arm = rig.arms[side]
-    if kind is PostureMotion:
-        motion = PostureMotion(arm, posture.over_well(side), carrying=True)
-    else:
+    asked = [posture.over_well(side)]
+    if not issubclass(kind, PostureMotion):
         target = shifted(rig, side, 0.0, MIRROR[side] * 0.15, 0.2)
-        motion = kind(arm, target, posture.presenting(side), carrying=True)
+        asked = [target, posture.presenting(side)]
+    if kind in (HarmonicReach, HarmonicPosture):
+        jar = rig.simulation.settings.props.jar
+        shape = JarShape(jar.lid_radius, jar.length)
+        asked.append(KnownJars(shape, dict(rig.belief.held)))
+    motion = kind(rig.arms[side], *asked, carrying=True)
     ticks, felt = [0], []
 
     def open_up():

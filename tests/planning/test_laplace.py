@@ -13,7 +13,9 @@ from prospect_mj.planning import relaxation
 from prospect_mj.planning.harmonic_field import harmonic_field
 from prospect_mj.planning.joint_grid import JointGrid
 from prospect_mj.planning.laplace import SolverSettings, solve
+from prospect_mj.planning.settings import PlannerSettings
 
+PLANNING = PlannerSettings().solver
 TIGHT = SolverSettings(tolerance=1e-12)
 SMALLEST_DOUBLE = np.log(5e-324)
 
@@ -142,7 +144,8 @@ def test_no_extremum_but_on_the_boundary(n_joints, seed, blob, share, n_goals):
     shape = {2: (24, 17), 3: (9, 12, 8), 4: (8, 6, 7, 8)}[n_joints]
     rng = np.random.default_rng(seed)
     free, goal = random_map(rng, shape, blob, share, n_goals)
-    log_u, _, converged = solve(free, goal, rng.uniform(0.1, 0.4, n_joints))
+    spacing = rng.uniform(0.1, 0.4, n_joints)
+    log_u, _, converged = solve(free, goal, spacing, PLANNING)
     assert converged
     assert_no_interior_extremum(log_u, goal)
 
@@ -150,7 +153,8 @@ def test_no_extremum_but_on_the_boundary(n_joints, seed, blob, share, n_goals):
 @pytest.mark.parametrize("seed", range(2))
 def test_no_extremum_on_a_grid_for_planning(seed):
     free, goal = random_map(np.random.default_rng(seed), (16,) * 4, 1.0 + seed)
-    log_u, sweeps, converged = solve(free, goal, np.array([0.32, 0.25, 0.35, 0.25]))
+    spacing = np.array([0.32, 0.25, 0.35, 0.25])
+    log_u, sweeps, converged = solve(free, goal, spacing, PLANNING)
     assert converged
     assert sweeps < 50
     assert_no_interior_extremum(log_u, goal)
