@@ -1,6 +1,7 @@
 """Arms among the scene's solids, and their true clearance by MuJoCo's own distances."""
 
 import copy
+import functools
 
 import mink
 import mujoco
@@ -33,6 +34,11 @@ def random_joints(side, rng, n, margin=0.05):
     return rng.uniform(low + margin, high - margin, (n, wam.N_JOINTS))
 
 
+@functools.cache
+def _twin():
+    return compile_twin(SCENE, posture.OPEN)
+
+
 class ArmScene:
     """A robot model with both arms at home, the post where it is put.
 
@@ -40,7 +46,7 @@ class ArmScene:
     """
 
     def __init__(self, jars=NO_JAR):
-        self.model = compile_twin(SCENE, posture.OPEN)
+        self.model = copy.copy(_twin())
         self.data = mujoco.MjData(self.model)
         self.jars = jars
         for side in names.SIDES:
