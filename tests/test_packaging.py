@@ -1,11 +1,13 @@
 """An installed wheel works outside of the checkout, and the project's papers agree."""
 
+import ast
 import os
 import re
 import subprocess
 import sys
 import tomllib
 import zipfile
+from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -113,3 +115,32 @@ def test_citation_has_the_projects_version_and_licence():
 @pytest.mark.parametrize("paper", [".ci/run", "README.md"])
 def test_opengl_packages_are_the_same_everywhere(paper):
     assert " ".join(DEBIAN_PACKAGES) in (ROOT / paper).read_text("utf-8")
+
+
+def third_party_imports():
+    """(file, top-level package) of every import that is neither ours nor Python's."""
+    for file in sorted((ROOT / "prospect_mj").rglob("*.py")):
+        for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+            if isinstance(node, ast.Import):
+                names = [name.name for name in node.names]
+            elif isinstance(node, ast.ImportFrom) and node.level == 0:
+                names = [node.module]
+            else:
+                continue
+            for name in names:
+                root = name.partition(".")[0]
+                if root not in sys.stdlib_module_names and root != "prospect_mj":
+                    yield file.name, root
+
+
+def test_whatever_is_imported_is_declared():
+    """What another package happens to bring along may be gone with its next version."""
+    lines = PYPROJECT["project"]["dependencies"]
+    declared = {canonicalize_name(Requirement(line).name) for line in lines}
+    owners = metadata.packages_distributions()
+    missing = {
+        (file, root)
+        for file, root in third_party_imports()
+        if not declared & {canonicalize_name(n) for n in owners.get(root, [root])}
+    }
+    assert not missing

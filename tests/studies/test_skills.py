@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from prospect_mj.control.arm_control import GROSS_MOTIONS
 from prospect_mj.experiment.skill_study import (
     random_policy_in_parallel,
     skills_in_parallel,
@@ -19,14 +20,19 @@ LONGEST_MEAN = 5.5
 EPISODES = 200
 
 
-@pytest.fixture(scope="module")
-def runs():
-    return skills_in_parallel(TaskSettings(), PRESENTATIONS, jobs=2)
+@pytest.fixture(scope="module", params=GROSS_MOTIONS)
+def task(request):
+    return TaskSettings(gross_motion=request.param)
 
 
 @pytest.fixture(scope="module")
-def episodes():
-    return random_policy_in_parallel(TaskSettings(), EPISODES, jobs=2)
+def runs(task):
+    return skills_in_parallel(task, PRESENTATIONS, jobs=2)
+
+
+@pytest.fixture(scope="module")
+def episodes(task):
+    return random_policy_in_parallel(task, EPISODES, jobs=2)
 
 
 def table(lines):
