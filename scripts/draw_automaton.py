@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from prospect_mj.cli import command_line
+from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment import automaton_plot
 
 
@@ -14,6 +15,11 @@ class Options:
 
     out: Path = Path("docs/images/automaton.png")
     """PNG file to write."""
+
+    def __post_init__(self) -> None:
+        """Refuse what is no picture's name, before anything is drawn."""
+        if self.out.suffix != ".png" or self.out.is_dir():
+            raise InvalidValue("--out", str(self.out), "a file that ends in .png")
 
 
 def main() -> int:
