@@ -8,6 +8,7 @@ import numpy as np
 
 from prospect_mj.control.arm_control import ArmControl
 from prospect_mj.control.cartesian_motion import CartesianMotion
+from prospect_mj.control.controller import Controller
 from prospect_mj.control.grip_watch import GripWatch
 from prospect_mj.control.hand_servo import HandServo, MotionSettings
 from prospect_mj.control.posture_motion import PostureMotion, PostureSettings
@@ -17,13 +18,29 @@ from prospect_mj.control.transit import Transit
 from prospect_mj.planning.goals import NATURAL, THOROUGH, GoalSearch, goals
 from prospect_mj.planning.planner import GoalSet
 from prospect_mj.planning.surroundings import KnownJars
-from prospect_mj.robot.torso import Reading
+from prospect_mj.robot.torso import ArmReading, Reading
 
 TIME_BUDGET = 10.0
 """A way round things may be several times as long as the straight one [s]."""
 
 
-class HarmonicReach(CartesianMotion):
+class _AlongStreamline(Controller):
+    """The part along the streamline, which a reach and a posture have in common."""
+
+    transit: Transit
+    _grip: GripWatch
+
+    def _travel(self, own: ArmReading) -> Targets:
+        """One control period of the transit; ends the controller if that fails."""
+        targets = self.transit.step(own)
+        if self._grip.lost(own.touch):
+            self._finish(Status.LOST, GripWatch.REASON)
+        elif self.transit.failure is not None:
+            self._finish(*self.transit.failure)
+        return Targets(joints=targets)
+
+
+class HarmonicReach(_AlongStreamline, CartesianMotion):
     """Bring a hand to a pose along a streamline, then straight within tolerance.
 
     Args:
@@ -67,21 +84,17 @@ class HarmonicReach(CartesianMotion):
         own = reading[self.side]
         if self.transit.arrived:
             return super()._law(reading)
-        targets = self.transit.step(own)
-        if self._grip.lost(own.touch):
-            self._finish(Status.LOST, GripWatch.REASON)
-        elif self.transit.failure is not None:
-            self._finish(*self.transit.failure)
-        elif self._within(self._servo.error(self._target)):
+        targets = self._travel(own)
+        if self.result is None and self._within(self._servo.error(self._target)):
             self._finish(Status.CONVERGED)
         if self.transit.arrived:
             # The straight law goes on from here, towards the same configuration.
             self._servo = HandServo(self._arm, self.transit.goal, self._settings)
             self._place = self._arm.grasp_pose().translation()
-        return Targets(joints=targets)
+        return targets
 
 
-class HarmonicPosture(PostureMotion):
+class HarmonicPosture(_AlongStreamline, PostureMotion):
     """Bring an arm's joints to a known posture along a streamline.
 
     Args:
@@ -113,9 +126,4 @@ class HarmonicPosture(PostureMotion):
         own = reading[self.side]
         if self.transit.arrived:
             return super()._law(reading)
-        targets = self.transit.step(own)
-        if self._grip.lost(own.touch):
-            self._finish(Status.LOST, GripWatch.REASON)
-        elif self.transit.failure is not None:
-            self._finish(*self.transit.failure)
-        return Targets(joints=targets)
+        return self._travel(own)

@@ -7,6 +7,7 @@ import numpy as np
 
 from prospect_mj.control.arm_control import ArmControl
 from prospect_mj.control.controller import CONTROL_PERIOD
+from prospect_mj.control.posture_motion import PostureSettings
 from prospect_mj.control.result import Status
 from prospect_mj.planning.planner import GoalSet, GrossPlan, World
 from prospect_mj.planning.surroundings import KnownJars
@@ -30,7 +31,7 @@ class TransitSettings:
     """Of the joint velocity limits."""
     braking: float = 5.0
     """Speed per distance that is left [1/s]."""
-    carrying_speed: float = 1.2
+    carrying_speed: float = PostureSettings.carrying_speed
     """Of the fastest joint while an object is in the hand [rad/s]; see
     `MotionSettings.turn_speed`."""
     acceleration: float = 5.0
