@@ -27,8 +27,9 @@ from prospect_mj.robot import names, posture
 from prospect_mj.robot.names import Side
 from prospect_mj.robot.torso import Torso
 from prospect_mj.sim.audit import Audit
+from prospect_mj.sim.placement import JarPlacement
 from prospect_mj.sim.scene import JAR
-from prospect_mj.sim.simulation import JarPlacement, Simulation
+from prospect_mj.sim.simulation import Simulation
 
 POSITION_TOLERANCE, ANGLE_TOLERANCE = 0.015, 0.10
 """Of the true hand at its arrival [m, rad]."""

@@ -4,7 +4,6 @@ Where the robot needs to know of the jar it is told the truth plus a bias of the
 choice, so that no test of control depends on rendering.
 """
 
-import copy
 import functools
 from collections.abc import Callable
 from typing import NamedTuple
@@ -18,8 +17,9 @@ from prospect_mj.actions.runner import ActionRunner
 from prospect_mj.control.controller import CONTROL_PERIOD
 from prospect_mj.robot import names, posture
 from prospect_mj.robot.torso import Torso
+from prospect_mj.sim.placement import JarPlacement
 from prospect_mj.sim.scene import SceneSettings
-from prospect_mj.sim.simulation import JarPlacement, Simulation
+from prospect_mj.sim.simulation import Simulation
 
 SIDES = ("left", "right")
 OTHER = {"left": "right", "right": "left"}
@@ -31,7 +31,6 @@ INSERT = {"left": Action.INSERT_LEFT, "right": Action.INSERT_RIGHT}
 class Snapshot(NamedTuple):
     state: np.ndarray
     belief: Belief
-    pedestal: np.ndarray
 
 
 class JarInHand(NamedTuple):
@@ -101,13 +100,11 @@ class Rig:
         self.twin.update(self.torso.read())
 
     def save(self) -> Snapshot:
-        mocap = self.twin.configuration.data.mocap_pos.copy()
-        return Snapshot(self.simulation.save(), copy.deepcopy(self.belief), mocap)
+        return Snapshot(self.simulation.save(), self.belief.copy())
 
     def restore(self, snapshot: Snapshot) -> None:
         self.simulation.restore(snapshot.state)
-        self.runner.belief = copy.deepcopy(snapshot.belief)
-        self.twin.configuration.data.mocap_pos[:] = snapshot.pedestal
+        self.runner.begin(snapshot.belief.copy())
         self.sense()
 
     def joints(self, side: str) -> np.ndarray:

@@ -1,6 +1,7 @@
 """What the robot believes about the jar: from one look, its joints and its touch."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from typing import Self
 
 import mink
 import numpy as np
@@ -28,10 +29,20 @@ class Belief:
 
     seen: SeenJar | None = None
     """Set by the look, gone once the jar has been picked up or dropped."""
+    cradle: SeenJar | None = None
+    """Where the jar was seen at first: the cradle stands under it all the time."""
     inserted: mink.SE3 | None = None
     """Pose in the world of a jar that stands in the receptacle."""
     held: dict[Side, mink.SE3] = field(default_factory=dict)
     """Pose of the jar in the grasp frame of each hand that holds it."""
+
+    def __post_init__(self) -> None:
+        """Remember where the cradle stands."""
+        self.cradle = self.cradle or self.seen
+
+    def copy(self) -> Self:
+        """A belief of its own, as actions change theirs."""
+        return replace(self, held=dict(self.held))
 
     @property
     def holding(self) -> Side | None:

@@ -64,23 +64,31 @@ class ActionRunner:
         self.arms = {
             side: arm_control(side, self.twin, gross_motion, planning) for side in SIDES
         }
-        self._workspace = workspace(simulation.settings.props)
+        props = simulation.settings.props
+        self._workspace = workspace(props)
+        self._nominal = props.pedestal.nominal
         self.belief = Belief()
 
     def begin(self, belief: Belief) -> None:
-        """Start a trial with what the first look told."""
+        """Start a trial with what the first look told, or go on with another belief."""
         self.belief = belief
         self.twin.update(self._torso.read())
-        if belief.seen is not None:
-            x, y, _ = belief.seen.axis
+        if belief.cradle is None:
+            self.twin.place_pedestal(self._nominal, 0.0)
+        else:
+            x, y, _ = belief.cradle.axis
             yaw = float(np.arctan2(-x, y))
-            self.twin.place_pedestal(belief.seen.position, yaw)
+            self.twin.place_pedestal(belief.cradle.position, yaw)
 
     def execute(self, action: Action) -> ActionOutcome:
-        """Run an action to its end; whether it may run is the supervisor's affair."""
+        """Run an action to its end; whether it may run is the supervisor's affair.
+
+        What comes of it follows from the simulation's saved state and the belief alone.
+        """
         write, side = _PLANS[action]
         plan = write(Robot(self.arms, self.belief, self._workspace), side)
         start = self._simulation.data.time
+        self._simulation.refresh()
         runs: list[ControllerRun] = []
         self.twin.update(self._torso.read())
         while True:

@@ -1,12 +1,12 @@
 """The live physics: owner of MjModel and MjData, and the only caller of mj_step."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import mujoco
 import numpy as np
 
 from prospect_mj.errors import InvalidValue, SimulationDiverged
+from prospect_mj.sim.placement import JarPlacement
 from prospect_mj.sim.scene import (
     JAR,
     PEDESTAL,
@@ -19,18 +19,6 @@ _STATE = mujoco.mjtState.mjSTATE_INTEGRATION
 
 SETTLING_TIME = 0.2
 """How long the jar may rock in its cradle before a trial begins [s]."""
-
-
-@dataclass(frozen=True)
-class JarPlacement:
-    """Where the jar is put at reset; the pedestal goes with it."""
-
-    position: np.ndarray
-    """Centre of the jar (3,) [m]."""
-    yaw: float
-    """Turn about the vertical, 0 = along y [rad]."""
-    lid_left: bool
-    """Whether the lid points to the left (+y)."""
 
 
 class Simulation:
@@ -128,10 +116,18 @@ class Simulation:
         """The jar's true axis towards the lid (3,), for the same uses only."""
         return self.data.xmat[self._jar].reshape(3, 3)[:, 2].copy()
 
+    def refresh(self) -> None:
+        """Sense anew, so that what follows depends on the saved state alone.
+
+        After a step the sensors and poses are those from before it.
+        """
+        mujoco.mj_forward(self.model, self.data)
+
     def save(self) -> np.ndarray:
         """The whole state, from which stepping continues bit-identically.
 
-        The lamp's brightness belongs to the model and is not part of it.
+        The lamp's brightness belongs to the model and is not part of it, nor are the
+        sensors' last readings; see `refresh`.
         """
         state = np.empty(mujoco.mj_stateSize(self.model, _STATE))
         mujoco.mj_getState(self.model, self.data, state, _STATE)
@@ -140,7 +136,7 @@ class Simulation:
     def restore(self, state: np.ndarray) -> None:
         """Go back to a saved state."""
         mujoco.mj_setState(self.model, self.data, state, _STATE)
-        mujoco.mj_forward(self.model, self.data)
+        self.refresh()
 
 
 def _about_z(angle: float) -> np.ndarray:

@@ -6,8 +6,8 @@ since from there on nothing is known to be safe.
 """
 
 from prospect_mj.actions.action import Action, ActionResult
-from prospect_mj.errors import UnforeseenEvent
-from prospect_mj.supervisor.plant import INITIAL, End, Start, supervision
+from prospect_mj.errors import InvalidValue, UnforeseenEvent
+from prospect_mj.supervisor.plant import INITIAL, End, Situation, Start, supervision
 from prospect_mj.supervisor.predicates import PredicateState
 
 
@@ -16,7 +16,7 @@ class Monitor:
 
     Attributes:
         situation: where the automaton stands.
-        word: the events of this trial so far.
+        word: the events since the trial began or was resumed.
     """
 
     def __init__(self) -> None:
@@ -40,6 +40,17 @@ class Monitor:
         self._accept(
             End(ActionResult.SUCCESS if found else ActionResult.NOT_SEEN, observed)
         )
+
+    def resume(self, predicates: PredicateState) -> None:
+        """Go on between two actions of a trial that was followed before.
+
+        Raises:
+            InvalidValue: if no trial gets there.
+        """
+        if Situation(predicates) not in supervision().kept:
+            expected = "a state that supervision allows"
+            raise InvalidValue("predicates", str(predicates), expected)
+        self.situation, self.word = Situation(predicates), []
 
     def follow(
         self, action: Action, result: ActionResult, observed: PredicateState

@@ -36,6 +36,18 @@ ObjectPose = Literal["vision", "truth"]
 
 
 @dataclass(frozen=True)
+class TrialState:
+    """All that the rest of a trial depends on, between two of its actions."""
+
+    physics: np.ndarray
+    """MuJoCo's integration state (n,)."""
+    belief: Belief
+    """The controllers' memory."""
+    predicates: PredicateState
+    """The supervisor's memory."""
+
+
+@dataclass(frozen=True)
 class TaskSettings:
     """Everything below the learner."""
 
@@ -77,7 +89,7 @@ class PickPlaceTask(Closing):
         monitor: follows each trial through the supervisor's automaton.
         camera: the stereo pair.
         vision: makes a look of an image pair.
-        presentation: of the present trial.
+        presentation: of the present trial; None before the first and after `restore`.
         look: what vision made of it.
     """
 
@@ -162,6 +174,21 @@ class PickPlaceTask(Closing):
             outcome = ActionOutcome(action, False, ActionResult.NOT_ALLOWED, 0.0)
         self.monitor.follow(action, outcome.result, self._observe())
         return outcome
+
+    def save(self) -> TrialState:
+        """The state of the trial, from which it can go on bit-identically."""
+        belief = self.runner.belief.copy()
+        return TrialState(self.simulation.save(), belief, self.predicates)
+
+    def restore(self, state: TrialState) -> None:
+        """Go on from a saved state, of any trial.
+
+        The lamp is not part of it; no action depends on how bright it is.
+        """
+        self.simulation.restore(state.physics)
+        self.runner.begin(state.belief.copy())
+        self.monitor.resume(state.predicates)
+        self.presentation, self.look = None, None
 
     def _observe(self) -> PredicateState:
         return self._sensor.observe(self._torso.read(), self.runner.belief)

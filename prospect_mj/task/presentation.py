@@ -6,7 +6,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from prospect_mj.errors import InvalidChoice, InvalidValue
-from prospect_mj.sim.simulation import JarPlacement
+from prospect_mj.sim.placement import JarPlacement
 
 Orientation = Literal["left", "right"]
 """The side on which the lid lies."""

@@ -12,7 +12,7 @@ import pytest
 from rig import GRASP, SIDES
 
 from prospect_mj.actions.belief import Belief, SeenJar
-from prospect_mj.sim.simulation import JarPlacement
+from prospect_mj.sim.placement import JarPlacement
 
 PACKAGE = Path(__file__).resolve().parents[2] / "prospect_mj"
 TRUTH = {

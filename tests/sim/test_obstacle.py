@@ -8,9 +8,10 @@ from prospect_mj.control.kinematics import KinematicTwin
 from prospect_mj.control.straight_reach import StraightReach
 from prospect_mj.errors import InvalidValue
 from prospect_mj.robot import names, posture
+from prospect_mj.sim.placement import JarPlacement
 from prospect_mj.sim.props import Obstacle, Props
 from prospect_mj.sim.scene import SceneSettings, compile_scene, compile_twin
-from prospect_mj.sim.simulation import JarPlacement, Simulation
+from prospect_mj.sim.simulation import Simulation
 
 POST = Obstacle(radius=0.03, height=0.5)
 WITH = SceneSettings(props=Props(obstacle=POST))

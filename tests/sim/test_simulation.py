@@ -6,7 +6,8 @@ import pytest
 from rig import GRASP, INSERT, SIDES, SWAP_FROM, holding
 
 from prospect_mj.errors import InvalidValue, SimulationDiverged
-from prospect_mj.sim.simulation import JarPlacement, Simulation
+from prospect_mj.sim.placement import JarPlacement
+from prospect_mj.sim.simulation import Simulation
 
 PLACE = JarPlacement(np.array([0.63, -0.01, 0.205]), 0.1, lid_left=True)
 

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from prospect_mj.sim.camera import StereoCamera, StereoPair
+from prospect_mj.sim.placement import JarPlacement
 from prospect_mj.sim.props import Props, Table
 from prospect_mj.sim.scene import SceneSettings
-from prospect_mj.sim.simulation import JarPlacement, Simulation
+from prospect_mj.sim.simulation import Simulation
 from prospect_mj.vision.look import Look
 from prospect_mj.vision.vision_controller import VisionController
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from prospect_mj.sim.camera import StereoPair
-from prospect_mj.sim.simulation import JarPlacement
+from prospect_mj.sim.placement import JarPlacement
 from prospect_mj.vision.vision_controller import VisionController
 
 pytestmark = pytest.mark.gl
