@@ -40,8 +40,31 @@ class RunFolderError(ProspectError):
     """A run folder that cannot be used: foreign, unreadable, occupied or different."""
 
 
+class RecordingError(ProspectError):
+    """A recording that cannot be used: damaged, of other physics, or incomplete."""
+
+
+class ForeignTable(ProspectError):
+    """A table file that holds something else than what it was read for."""
+
+
+class FolderInUse(ProspectError):
+    """A folder that another process works in."""
+
+
 class RenderingUnavailable(ProspectError):
     """No OpenGL context can be made; the message names the package to install."""
+
+
+class MissingPackage(ProspectError):
+    """A package of an optional extra that is not installed."""
+
+    def __init__(self, package: str, extra: str) -> None:
+        """Name the package and the extra that brings it."""
+        super().__init__(
+            f"the package {package} is not installed; it comes with the extra "
+            f"{extra}: pip install 'prospect-mj[{extra}]'"
+        )
 
 
 class SimulationDiverged(ProspectError):

@@ -135,7 +135,8 @@ def third_party_imports():
 
 def test_whatever_is_imported_is_declared():
     """What another package happens to bring along may be gone with its next version."""
-    lines = PYPROJECT["project"]["dependencies"]
+    project = PYPROJECT["project"]
+    lines = [*project["dependencies"], *project["optional-dependencies"]["cluster"]]
     declared = {canonicalize_name(Requirement(line).name) for line in lines}
     owners = metadata.packages_distributions()
     missing = {

@@ -15,8 +15,7 @@ from prospect_mj.control.posture_motion import PostureMotion, PostureSettings
 from prospect_mj.control.result import Status, Targets
 from prospect_mj.control.straight_reach import GROSS
 from prospect_mj.control.transit import Transit
-from prospect_mj.planning.goals import NATURAL, THOROUGH, GoalSearch, goals
-from prospect_mj.planning.planner import GoalSet
+from prospect_mj.planning.goals import NATURAL, THOROUGH, GoalSearch, GoalSet, goals
 from prospect_mj.planning.surroundings import KnownJars
 from prospect_mj.robot.torso import ArmReading, Reading
 

@@ -9,7 +9,9 @@ from prospect_mj.control.arm_control import ArmControl
 from prospect_mj.control.controller import CONTROL_PERIOD
 from prospect_mj.control.posture_motion import PostureSettings
 from prospect_mj.control.result import Status
-from prospect_mj.planning.planner import GoalSet, GrossPlan, World
+from prospect_mj.planning.goals import GoalSet
+from prospect_mj.planning.gross_plan import GrossPlan
+from prospect_mj.planning.planner import World
 from prospect_mj.planning.surroundings import KnownJars
 from prospect_mj.robot import wam
 from prospect_mj.robot.torso import ArmReading

@@ -1,8 +1,6 @@
 """config.yaml: what a run is, and which software and model files made it."""
 
 import json
-import platform
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 import yaml
@@ -11,29 +9,11 @@ from prospect_mj.agent.storage import replace_file
 from prospect_mj.errors import ProspectError, RunFolderError
 from prospect_mj.experiment import fingerprint
 from prospect_mj.experiment.config import TrainConfig
+from prospect_mj.recording import provenance
 
 NAME = "config.yaml"
 
 _FORMAT = 1
-
-# A run is bit-identical only within one version of each of these.
-PACKAGES = (
-    "prospect-mj",
-    "mujoco",
-    "dm-control",
-    "mink",
-    "daqp",
-    "qpsolvers",
-    "numpy",
-    "scipy",
-    "opencv-python-headless",
-    "gymnasium",
-)
-
-
-def installed_versions() -> dict[str, str]:
-    """Versions of the packages that decide a run's numbers."""
-    return {package: _version(package) for package in PACKAGES}
 
 
 def write(path: Path, config: TrainConfig) -> None:
@@ -43,12 +23,8 @@ def write(path: Path, config: TrainConfig) -> None:
         # By way of JSON, as YAML knows no number that is only derived from float.
         "config": json.loads(json.dumps(config.as_dict())),
         "sha256": fingerprint.digests(config),
-        "versions": installed_versions(),
-        "platform": {
-            "python": platform.python_version(),
-            "machine": platform.machine(),
-            "system": platform.system(),
-        },
+        "versions": provenance.installed_versions(),
+        "platform": provenance.machine(),
     }
     replace_file(path, yaml.safe_dump(content, sort_keys=False).encode())
 
@@ -82,7 +58,7 @@ def _parsed(path: Path) -> object:
 
 
 def _check_versions(path: Path, stored: dict[str, str]) -> None:
-    for package, installed in installed_versions().items():
+    for package, installed in provenance.installed_versions().items():
         if stored.get(package) != installed:
             raise RunFolderError(
                 f"{path} was made with {package} {stored.get(package)}, "
@@ -99,10 +75,3 @@ def _check_digests(path: Path, stored: dict[str, str], config: TrainConfig) -> N
                 else f"{name} has changed since the run began"
             )
             raise RunFolderError(f"{path}: {changed}; the run can't be continued")
-
-
-def _version(package: str) -> str:
-    try:
-        return version(package)
-    except PackageNotFoundError:
-        return "not installed"

@@ -1,18 +1,11 @@
 """Digests by which a run is known again: of its configuration and its model files."""
 
-import hashlib
 import json
 
-from prospect_mj import paths
 from prospect_mj.experiment.config import TrainConfig
+from prospect_mj.recording.provenance import model_digests, sha256
 
 CONFIGURATION = "configuration"
-
-_MODEL_FILES = {
-    "models/torso.xml": paths.torso_xml,
-    "assets/jar.obj": paths.jar_obj,
-    "assets/jar.png": paths.jar_png,
-}
 
 
 def digests(config: TrainConfig) -> dict[str, str]:
@@ -30,16 +23,9 @@ def digests(config: TrainConfig) -> dict[str, str]:
     settings = config.as_dict()
     del settings["trials"]
     plain = json.dumps(settings, sort_keys=True).encode()
-    found = {CONFIGURATION: _sha256(plain)}
-    return found | {
-        name: _sha256(path().read_bytes()) for name, path in _MODEL_FILES.items()
-    }
+    return {CONFIGURATION: sha256(plain)} | model_digests()
 
 
 def origin(config: TrainConfig) -> str:
     """One digest of all of `digests`, which ties the other files to the run."""
-    return _sha256(json.dumps(digests(config), sort_keys=True).encode())
-
-
-def _sha256(content: bytes) -> str:
-    return hashlib.sha256(content).hexdigest()
+    return sha256(json.dumps(digests(config), sort_keys=True).encode())

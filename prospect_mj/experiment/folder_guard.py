@@ -1,6 +1,5 @@
 """Which folder a run may have, and that it has it alone."""
 
-import fcntl
 import os
 from pathlib import Path
 
@@ -50,14 +49,3 @@ def new_default() -> Path:
             number += 1
         else:
             return path
-
-
-def lock(path: Path) -> int:
-    """Lock the folder itself, so that no lock file is left behind by a kill."""
-    descriptor = os.open(path, os.O_RDONLY)
-    try:
-        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError as error:
-        os.close(descriptor)
-        raise RunFolderError(f"{path} is in use by another process") from error
-    return descriptor

@@ -23,11 +23,12 @@ import numpy as np
 import pyarrow as pa
 from pyarrow.lib import ArrowException
 
+from prospect_mj import locking, tables
 from prospect_mj.agent import LinearQ
 from prospect_mj.agent.storage import replace_file
 from prospect_mj.closing import Closing
-from prospect_mj.errors import ProspectError, RunFolderError
-from prospect_mj.experiment import config_file, fingerprint, folder_guard, tables
+from prospect_mj.errors import ForeignTable, ProspectError, RunFolderError
+from prospect_mj.experiment import config_file, fingerprint, folder_guard
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.records import (
     ACTION_SCHEMA,
@@ -77,7 +78,7 @@ class RunFolder(Closing):
         try:
             path = folder_guard.new_default() if path is None else path
             path.mkdir(parents=True, exist_ok=True)
-            folder = cls(path, config, folder_guard.lock(path))
+            folder = cls(path, config, locking.lock(path))
         except OSError as error:
             raise _not_writable(path, error) from error
         try:
@@ -96,10 +97,11 @@ class RunFolder(Closing):
         """Open an existing run where its last finished trial left it.
 
         Raises:
-            RunFolderError: if it is no run folder, is damaged or in use.
+            RunFolderError: if it is no run folder or is damaged.
+            FolderInUse: if another process works in it.
         """
         config = read_config(path)
-        folder = cls(path, config, folder_guard.lock(path))
+        folder = cls(path, config, locking.lock(path))
         try:
             folder._read_state()
         except BaseException:
@@ -169,7 +171,7 @@ class RunFolder(Closing):
         return not any(rows)
 
     def _read_table(self, name: str, schema: pa.Schema) -> pa.Table:
-        reader = partial(tables.read, schema=schema, origin=self._origin)
+        reader = partial(tables.read, schema=schema, origin=self._origin, of="run")
         return _read(self.path / name, reader)
 
     def _check_state(self) -> None:
@@ -209,5 +211,7 @@ def _read(path: Path, reader: Callable[[Path], _Content]) -> _Content:
         return reader(path)
     except RunFolderError:
         raise
+    except ForeignTable as error:
+        raise RunFolderError(str(error)) from error
     except (OSError, ArrowException, ProspectError) as error:
         raise RunFolderError(f"{path} can't be read: missing or damaged") from error

@@ -17,27 +17,31 @@ EVERY_LINK = (1 << (JAR + 1)) - 1
 BEYOND_ELBOW = EVERY_LINK & ~(1 << UPPER_ARM)
 HAND_AND_JAR = (1 << HAND) | (1 << JAR)
 
-_SHOULDER = 2
-"""Links 1 and 2 turn on the spot: they belong to what stands still."""
+_FIRST_MOVING = 2
+"""Index of link 3. Links 1 and 2 turn on the spot: they belong to what stands still."""
 
 
 class Arrays(NamedTuple):
     """What the compiled code needs of an arm."""
 
     base: np.ndarray
-    """Frame that joint 1 turns in: position, rotation matrix row by row (12,)."""
+    """Frame that joint 1 turns in (12,): position [m], rotation matrix [1] row by
+    row."""
     joints: np.ndarray
-    """Place of each joint in the link before it and its axis (7, 6)."""
+    """Of each joint (7, 6): its place in the frame before it [m], its axis [1]."""
     wrist: np.ndarray
     """The wrist's centre in the forearm's frame (1, 3) [m]."""
     upper_arm: np.ndarray
     """Spheres that cover it, after one round all of them, in its frame (m, 4) [m]."""
     forearm: np.ndarray
+    """The same (m, 4) [m]."""
     hand: np.ndarray
+    """The same, in the last link's frame (m, 4) [m]."""
     jar: np.ndarray
-    """The same; without a row if the hand holds none."""
+    """The same; without a row if the hand holds none (m, 4) [m]."""
     upper_solids: np.ndarray
-    """The upper arm as solids in its own frame (n, 18): the hand can hit it."""
+    """The upper arm as solids in its own frame (n, 18), see `arm_kernels`: the hand can
+    hit it."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +64,7 @@ class ArmBody:
             length: of the same [m].
         """
         along = cover(mujoco.mjtGeom.mjGEOM_CYLINDER, np.array([radius, length / 2, 0]))
-        spheres = _in_one(_placed(along, self.grasp @ jar))
+        spheres = _in_one(_spheres_at(along, self.grasp @ jar))
         return replace(self, arrays=self.arrays._replace(jar=spheres))
 
     @property
@@ -80,7 +84,8 @@ def arm_body(model: mujoco.MjModel, side: Side) -> ArmBody:
     offsets[0] = 0.0
     origin = data.xpos[bodies[0]], data.xmat[bodies[0]]
     moving = geoms_of(model, side)
-    upper = [g for g in moving if model.geom_bodyid[g] == bodies[_SHOULDER]]
+    first = bodies[_FIRST_MOVING]
+    upper = [g for g in moving if model.geom_bodyid[g] == first]
     covers = [
         _in_one(_link_spheres(model, data, bodies[FRAME_OF[link] - 1], geoms))
         for link, geoms in enumerate(_by_link(model, bodies, moving))
@@ -91,7 +96,7 @@ def arm_body(model: mujoco.MjModel, side: Side) -> ArmBody:
         offsets[4:6].sum(axis=0, keepdims=True),
         *covers,
         np.empty((0, 4)),
-        _in_frame(solids(model, data, upper, HAND_AND_JAR), data, bodies[_SHOULDER]),
+        _in_frame(solids(model, data, upper, HAND_AND_JAR), data, first),
     )
     grasp = _grasp(model, data, side, bodies[-1])
     return ArmBody(side, chain, grasp, model.jnt_range[joints].copy())
@@ -99,7 +104,7 @@ def arm_body(model: mujoco.MjModel, side: Side) -> ArmBody:
 
 def geoms_of(model: mujoco.MjModel, side: Side) -> list[int]:
     """Geoms of an arm that change place with it, in order of the model."""
-    root = model.body(names.arm_links(side)[_SHOULDER]).id
+    root = model.body(names.arm_links(side)[_FIRST_MOVING]).id
     return [
         g for g in range(model.ngeom) if _is_under(model, model.geom_bodyid[g], root)
     ]
@@ -128,7 +133,7 @@ def _link_spheres(
 ) -> np.ndarray:
     frame = _frame(data.xpos[body], data.xmat[body]).inverse()
     parts = [
-        _placed(
+        _spheres_at(
             cover(int(model.geom_type[g]), model.geom_size[g]),
             frame @ _frame(data.geom_xpos[g], data.geom_xmat[g]),
         )
@@ -137,20 +142,20 @@ def _link_spheres(
     return np.concatenate(parts)
 
 
-def _placed(along: np.ndarray, pose: mink.SE3) -> np.ndarray:
-    """Spheres (n, 4) of a cover (n, 2) along the z axis of a pose."""
+def _spheres_at(along: np.ndarray, pose: mink.SE3) -> np.ndarray:
+    """Spheres (n, 4) [m] of a cover (n, 2) [m] along the z axis of a pose."""
     axis = pose.rotation().as_matrix()[:, 2]
     centres = pose.translation() + np.outer(along[:, 0], axis)
     return np.column_stack([centres, along[:, 1]])
 
 
 def _in_one(spheres: np.ndarray) -> np.ndarray:
-    """Spheres (1 + n, 4) with one round all of them before."""
+    """Spheres (1 + n, 4) [m]: one round all of them, then they themselves."""
     return np.vstack([bounding_sphere(spheres), spheres])
 
 
 def _in_frame(rows: np.ndarray, data: mujoco.MjData, body: int) -> np.ndarray:
-    """Solids in a body's frame instead of the world's."""
+    """Solids (n, 18) in a body's frame instead of the world's."""
     turn = data.xmat[body].reshape(3, 3)
     local = rows.copy()
     local[:, 3:6] = (rows[:, 3:6] - data.xpos[body]) @ turn

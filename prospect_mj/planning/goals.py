@@ -1,6 +1,8 @@
 """Goal configurations: several ways in which an arm can hold its hand at one pose."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import mink
 import numpy as np
@@ -10,6 +12,17 @@ from prospect_mj.robot.names import Side
 
 _APART = 0.5
 """Two goals nearer to each other than this are one [rad]."""
+
+
+class GoalSet(NamedTuple):
+    """Goals that are found when they are first needed."""
+
+    find: Callable[[], np.ndarray]
+    """Tells joint angles (n, 7) [rad], the preferred ones first."""
+    most: int = 1
+    """Of those that are clear, how many to plan for."""
+    spread: float = np.inf
+    """Distance from the first of them within which they lie [rad]."""
 
 
 @dataclass(frozen=True)

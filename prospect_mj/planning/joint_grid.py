@@ -114,11 +114,6 @@ class JointGrid:
         """
         return (np.asarray(joints) - self.low) / self.spacing - 0.5
 
-    def contains(self, joints: np.ndarray) -> np.ndarray:
-        """Whether joint angles (..., n_joints) [rad] lie in the box: (...) of bool."""
-        joints = np.asarray(joints)
-        return np.all((joints >= self.low) & (joints <= self.high), axis=-1)
-
     def cell_of(self, joints: np.ndarray) -> np.ndarray:
         """Index (..., n_joints) of the cell around joint angles, or the nearest one."""
         nearest = np.floor(self.coordinates(joints) + 0.5).astype(np.intp)

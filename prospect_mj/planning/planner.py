@@ -1,17 +1,16 @@
 """Gross motion planning by a harmonic function over shoulder and elbow."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import mujoco
 import numpy as np
 
 from prospect_mj.errors import InvalidValue
 from prospect_mj.planning.arm_body import arm_body
-from prospect_mj.planning.arm_kernels import clearances
+from prospect_mj.planning.goals import GoalSet
 from prospect_mj.planning.gross_plan import GrossPlan
-from prospect_mj.planning.query import CEILING, Query, Solids, make_query
+from prospect_mj.planning.query import Demand, Query, Solids, make_query
 from prospect_mj.planning.search import Map, resumed, search, straight
 from prospect_mj.planning.settings import Attempt, PlannerSettings
 from prospect_mj.planning.static_map import static_room
@@ -20,23 +19,14 @@ from prospect_mj.robot import wam
 from prospect_mj.robot.names import Side
 
 
-class GoalSet(NamedTuple):
-    """Goals that are found when they are first needed."""
-
-    find: Callable[[], np.ndarray]
-    """Tells joint angles (n, 7) [rad], the preferred ones first."""
-    most: int = 1
-    """Of those that are clear, how many to plan for."""
-    spread: float = np.inf
-    """Distance from the first of them within which they lie [rad]."""
-
-
 @dataclass(frozen=True)
 class World:
     """What moves: the state of a robot model, and where the jar is believed to be."""
 
     data: mujoco.MjData
+    """Of the planner's model, its kinematics up to date."""
     jars: KnownJars
+    """The jar is no part of that model."""
 
 
 class GrossPlanner:
@@ -113,28 +103,19 @@ class GrossPlanner:
         Returns:
             The way along the same harmonic function, or None if something is in it.
         """
-        moving = self._surroundings.moving(world.data, world.jars)
-        return resumed(plan, plan.query.again(start, moving), self.settings)
+        query = plan.query.again(start, self._solids(world))
+        return resumed(plan, query, self.settings)
 
-    def clearance(self, configurations: np.ndarray, world: World) -> np.ndarray:
-        """Least distances (n,) [m] of configurations (n, 7) [rad] to anything."""
-        body = body_with(self.body, world.jars)
-        rows = self._rows(world)
-        return clearances(body.arrays, configurations, rows, CEILING)
-
-    def _rows(self, world: World) -> np.ndarray:
+    def _solids(self, world: World) -> Solids:
         moving = self._surroundings.moving(world.data, world.jars)
-        return np.concatenate([self._surroundings.fixed, moving])
+        return Solids(self._surroundings.fixed, moving)
 
     def _query(
         self, start: np.ndarray, goals: GoalSet, world: World, attempt: Attempt
     ) -> Query:
         body = body_with(self.body, world.jars)
-        moving = self._surroundings.moving(world.data, world.jars)
-        solids = Solids(self._surroundings.fixed, moving)
-        found, most, spread = goals.find(), goals.most, goals.spread
-        zone = self.settings.end_zone
-        return make_query(body, solids, start, found, most, spread, attempt, zone)
+        demand = Demand(attempt.path_margin, self.settings.end_zone, attempt.wrist)
+        return make_query(body, self._solids(world), start, goals, demand)
 
     def _map(self, attempt: Attempt) -> Map:
         """The static part of an attempt."""

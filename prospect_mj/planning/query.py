@@ -6,19 +6,21 @@ import numpy as np
 
 from prospect_mj.planning.arm_body import ArmBody, Arrays
 from prospect_mj.planning.arm_kernels import clearances
-from prospect_mj.planning.goals import apart
+from prospect_mj.planning.goals import GoalSet, apart
 from prospect_mj.planning.occupancy import wrist_at
-from prospect_mj.planning.settings import GROSS_JOINTS, Attempt, Wrist
+from prospect_mj.planning.settings import GROSS_JOINTS, Wrist
 
 CEILING = 0.3
 """Larger clearances are not told apart [m]."""
 
 
 class Chart(NamedTuple):
-    """Wrist angles (n, 3) [rad] known at shoulder and elbow angles (n, 4) [rad]."""
+    """Wrist angles that are known at some angles of shoulder and elbow."""
 
     gross: np.ndarray
+    """(n, 4) [rad]"""
     wrists: np.ndarray
+    """(n, 3) [rad]"""
 
 
 class Solids(NamedTuple):
@@ -30,10 +32,22 @@ class Solids(NamedTuple):
     """Solids that do (m, 18)."""
 
 
+class Demand(NamedTuple):
+    """What is asked of a way."""
+
+    margin: float
+    """Its clearance [m]."""
+    zone: float
+    """Distance from an end up to which it may be as near as that end [rad]."""
+    wrist: Wrist
+    """How it is held, see `Attempt.wrist`."""
+
+
 class Query(NamedTuple):
     """From where to where, among what, with which wrist."""
 
     arm: Arrays
+    """Its geometry, with what it holds."""
     solids: Solids
     """What is round it."""
     rows: np.ndarray
@@ -53,14 +67,13 @@ class Query(NamedTuple):
     zone: float
     """Distance from an end up to which a way may be as near as that end [rad]."""
 
-    def again(self, start: np.ndarray, moving: np.ndarray) -> "Query":
-        """The same question from another start (7,) [rad], in a world that moved.
+    def again(self, start: np.ndarray, solids: Solids) -> "Query":
+        """The same question from another start, in a world that moved.
 
         Args:
             start: joint angles (7,) [rad].
-            moving: the solids that do (m, 18).
+            solids: what is round the arm now.
         """
-        solids = Solids(self.solids.fixed, moving)
         rows = np.concatenate(solids)
         known = np.concatenate([start[None], self.goals])
         ends = clearances(self.arm, known, rows, CEILING)
@@ -92,11 +105,8 @@ def make_query(
     body: ArmBody,
     solids: Solids,
     start: np.ndarray,
-    goals: np.ndarray,
-    most: int,
-    spread: float,
-    attempt: Attempt,
-    zone: float,
+    goal_set: GoalSet,
+    demand: Demand,
 ) -> Query:
     """A question about one arm.
 
@@ -104,24 +114,20 @@ def make_query(
         body: the arm, with what it holds.
         solids: what is round it.
         start: joint angles (7,) [rad].
-        goals: joint angles (n, 7) [rad], the preferred ones first; those that touch
-            something are left out, and those that are much like an earlier one.
-        most: goals to keep.
-        spread: distance from the first one within which they lie [rad].
-        attempt: tells the clearance of the way, which all goals have if any has, and
-            the wrist.
-        zone: distance from an end up to which a way may be as near as that end [rad].
+        goal_set: where to; goals that touch something are left out, and those that are
+            much like an earlier one.
+        demand: what is asked of the way; all goals have its clearance if any has.
     """
-    arm, rows = body.arrays, np.concatenate(solids)
+    arm, rows, goals = body.arrays, np.concatenate(solids), goal_set.find()
     room = clearances(arm, goals, rows, CEILING)
-    wide = room >= attempt.path_margin
+    wide = room >= demand.margin
     clear = wide if wide.any() else room > 0.0
-    chosen = np.flatnonzero(clear)[apart(goals[clear], most, spread)]
+    chosen = np.flatnonzero(clear)[apart(goals[clear], goal_set.most, goal_set.spread)]
     goals, room = goals[chosen], room[chosen]
     here = clearances(arm, start[None], rows, CEILING)
     ends = np.concatenate([here, room])
-    known = start, goals, ends, _chart(start, goals, attempt.wrist)
-    return Query(arm, solids, rows, body.reach, *known, attempt.path_margin, zone)
+    known = start, goals, ends, _chart(start, goals, demand.wrist)
+    return Query(arm, solids, rows, body.reach, *known, demand.margin, demand.zone)
 
 
 def _chart(start: np.ndarray, goals: np.ndarray, wrist: Wrist) -> Chart:

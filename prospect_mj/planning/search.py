@@ -26,16 +26,20 @@ class Map(NamedTuple):
     """The static part of planning on one grid."""
 
     grid: JointGrid
+    """Of the gross joints."""
     room: np.ndarray
-    """See `static_map.static_room`."""
+    """Result of `static_map.static_room` (m, n) [m]."""
 
 
 class Way(NamedTuple):
-    """A way along a streamline; see `GrossPlan`."""
+    """A way along a streamline, in the words of `GrossPlan`."""
 
     path: np.ndarray
+    """Joint angles (n, 7) [rad], from the start to one of the goals."""
     goal: int
+    """Number of this goal."""
     last_stretch: float
+    """Arc length of the straight way from the goal cell to the goal [rad]."""
 
 
 def straight(query: Query, settings: PlannerSettings) -> GrossPlan | None:

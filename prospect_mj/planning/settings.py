@@ -38,16 +38,19 @@ class Attempt:
         """Refuse margins and wrists that the occupancy map does not know.
 
         Raises:
-            InvalidValue: on a margin that a hand beyond a bent elbow may not have, or
-                on no refinement or repair at all.
+            InvalidValue: on a margin that a hand beyond a bent elbow may not have, a
+                path margin that allows contact, or on no refinement or repair at all.
             InvalidChoice: on a wrist that does not exist.
         """
         if not 0 <= self.cell_margin <= FOLDED_CLEARANCE:
             expected = f"0 to {FOLDED_CLEARANCE}"
             raise InvalidValue("cell margin [m]", self.cell_margin, expected)
+        if not 0 <= self.path_margin < np.inf:
+            raise InvalidValue("path margin [m]", self.path_margin, "at least 0")
         for name in ("refinement", "repairs"):
-            if getattr(self, name) < 1:
-                raise InvalidValue(name, getattr(self, name), "at least 1")
+            value = getattr(self, name)
+            if not isinstance(value, int) or value < 1:
+                raise InvalidValue(name, value, "an integer of at least 1")
         if self.wrist not in get_args(Wrist):
             raise InvalidChoice("wrist", self.wrist, get_args(Wrist))
 
@@ -84,8 +87,15 @@ class PlannerSettings:
         """Refuse a grid of other joints, too coarse or too large, before it is made.
 
         Raises:
-            InvalidValue: with the bytes that a grid would need if that is too much.
+            InvalidValue: with the bytes that a grid would need if that is too much; on
+                a step that is not positive or a distance that is negative.
         """
+        if not 0 < self.step < np.inf:
+            expected = "a positive number"
+            raise InvalidValue("step of the planner [rad]", self.step, expected)
+        for what, value in (("end zone", self.end_zone), ("straight", self.straight)):
+            if not value >= 0:
+                raise InvalidValue(f"{what} of the planner [rad]", value, "at least 0")
         if len(self.cells) != GROSS_JOINTS:
             expected = f"one number for each of {GROSS_JOINTS} joints"
             raise InvalidValue("cells of the planner's grid", self.cells, expected)

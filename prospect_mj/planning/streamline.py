@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from prospect_mj.errors import InvalidValue
-from prospect_mj.planning.ascent import ascend, follow
+from prospect_mj.planning.ascent import follow
 from prospect_mj.planning.harmonic_field import HarmonicField
 
 # Largest step as a share of the narrowest cell.
@@ -23,23 +23,6 @@ class Streamline:
     all of them, and the segments between them, lie in connected cells."""
     reached: bool
     """Whether the last point lies in a goal cell."""
-
-
-def direction(field: HarmonicField, joints: np.ndarray) -> np.ndarray:
-    """Direction of steepest ascent of u at a configuration.
-
-    Args:
-        field: the harmonic function.
-        joints: joint angles (n_joints,) [rad].
-
-    Returns:
-        Unit vector (n_joints,) [rad/rad]; zeros where neither the cell nor one that it
-        shares a corner with is connected to a goal.
-    """
-    ascent = np.zeros(field.grid.n_joints)
-    step = _CELL_SHARE * field.grid.spacing.min()
-    ascend(field.arrays, _configuration(field, joints), step, False, ascent)
-    return ascent
 
 
 def streamline(

@@ -56,7 +56,7 @@ class Surroundings:
         mujoco.mj_kinematics(model, data)
         arms = {g for s in names.SIDES for g in geoms_of(model, s)}
         rest = [g for g in range(model.ngeom) if g not in arms and _is_solid(model, g)]
-        still = [g for g in rest if not _is_placed(model, g)]
+        still = [g for g in rest if not _is_mocap(model, g)]
         # The upper arm grows out of its own shoulder.
         shoulder = [model.body(n).id for n in names.arm_links(side)[:2]]
         own = [g for g in still if model.geom_bodyid[g] in shoulder]
@@ -67,8 +67,8 @@ class Surroundings:
                 solids(model, data, own, BEYOND_ELBOW),
             ]
         )
-        self._placed = [g for g in rest if _is_placed(model, g)]
-        self._placed += geoms_of(model, self._rival)
+        self._moving_geoms = [g for g in rest if _is_mocap(model, g)]
+        self._moving_geoms += geoms_of(model, self._rival)
 
     def moving(self, data: mujoco.MjData, jars: KnownJars) -> np.ndarray:
         """Solids (n, 18) that stand where they are now, but may be elsewhere later.
@@ -77,7 +77,7 @@ class Surroundings:
             data: kinematics of the model, up to date.
             jars: where a jar is believed to be.
         """
-        rows = [solids(self._model, data, self._placed, EVERY_LINK)]
+        rows = [solids(self._model, data, self._moving_geoms, EVERY_LINK)]
         poses = [jars.placed] if jars.placed is not None else []
         if self._rival in jars.held:
             site = data.site(names.grasp_site(self._rival))
@@ -108,6 +108,6 @@ def _is_solid(model: mujoco.MjModel, geom: int) -> bool:
     return bool(model.geom_contype[geom] or model.geom_conaffinity[geom]) and not plane
 
 
-def _is_placed(model: mujoco.MjModel, geom: int) -> bool:
-    """Whether it can be put elsewhere between two plans."""
+def _is_mocap(model: mujoco.MjModel, geom: int) -> bool:
+    """Whether it is on a mocap body: it can be put elsewhere between two plans."""
     return bool(model.body_mocapid[model.geom_bodyid[geom]] >= 0)

@@ -143,14 +143,6 @@ class Automaton(Generic[State, Event]):
         }
         return replace(self, transitions=transitions)
 
-    def trim(self) -> Self:
-        """What is both reachable and coreachable.
-
-        Raises:
-            InvalidValue: if no marked state can be reached, so that nothing is left.
-        """
-        return self.restricted(self.reachable() & self.coreachable())
-
     def run(
         self, word: Iterable[Event], start: State | None = None
     ) -> Run[State, Event]:

@@ -51,15 +51,11 @@ class Supervision(Generic[State, Event]):
     plant: Automaton[State, Event]
     """What is supervised."""
     kept: frozenset[State]
-    """The largest set of states that a supervisor can keep the plant within."""
+    """The largest set of states that a supervisor can keep the plant within; if the
+    initial state is none of them, no supervisor can do it."""
     _fates: Mapping[State, tuple[Event, State] | Cause]
     """Of every other state: the uncontrollable event and the state that it leads to, or
     what is wrong with the state itself."""
-
-    @property
-    def is_empty(self) -> bool:
-        """Whether no supervisor can do it: the initial state itself is not safe."""
-        return self.plant.initial not in self.kept
 
     @cached_property
     def automaton(self) -> Automaton[State, Event]:

@@ -29,22 +29,11 @@ from prospect_mj.task.presentation import (
     draw_presentation,
 )
 from prospect_mj.task.scoring import is_inserted
+from prospect_mj.task.trial_state import TrialState
 from prospect_mj.vision.look import Look
 from prospect_mj.vision.vision_controller import VisionController, VisionSettings
 
 ObjectPose = Literal["vision", "truth"]
-
-
-@dataclass(frozen=True)
-class TrialState:
-    """All that the rest of a trial depends on, between two of its actions."""
-
-    physics: np.ndarray
-    """MuJoCo's integration state (n,)."""
-    belief: Belief
-    """The controllers' memory."""
-    predicates: PredicateState
-    """The supervisor's memory."""
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ import mink
 import numpy as np
 import pytest
 from harmonic_reaches import NO_JAR, planning
+from reach_clearance import planners_clearance
 from reach_pairs import POST, ReachPair
 from reach_runs import Bench
 from rig import OTHER, SIDES, angle_between
@@ -86,7 +87,9 @@ class Trial:
 
     def clearance(self, configurations):
         """Least of the planner's [m]."""
-        return self.planner.planner.clearance(configurations, self.world).min()
+        model = self.bench.twin.model
+        room = planners_clearance(model, self.side, configurations, self.world)
+        return room.min()
 
     def pose_at(self, joints):
         """Of the grasp site, when the arm is there [m]."""

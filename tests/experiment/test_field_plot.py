@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
+from reach_clearance import planners_clearance
 
 from prospect_mj.experiment import corridor, field_plot, field_scene, field_slice
 from prospect_mj.experiment.plots import png
-from prospect_mj.planning.planner import GrossPlanner, World
+from prospect_mj.planning.planner import World
 
 pytestmark = pytest.mark.gl
 
@@ -29,11 +30,11 @@ def test_every_kind_of_obstacle_but_the_arm_itself_is_seen(shown):
 def test_free_cells_are_what_the_planner_finds_clear(shown):
     """By one call for all solids, instead of one for each kind."""
     twin = field_slice.twin()
-    planner = GrossPlanner(twin.model, field_slice.SIDE)
     cells = np.random.default_rng(0).integers(0, shown.grid.shape, (400, 2))
     joints = field_slice.configurations(shown.grid.centre(cells))
     world = World(twin.data, field_slice.known_jars())
-    clear = planner.clearance(joints, world) >= field_slice.CLEARANCE
+    room = planners_clearance(twin.model, field_slice.SIDE, joints, world)
+    clear = room >= field_slice.CLEARANCE
     assert 0.5 < clear.mean() < 0.95
     free = shown.obstacle[tuple(cells.T)] == field_slice.FREE
     np.testing.assert_array_equal(free, clear)

@@ -13,11 +13,12 @@ from ideal_env import IdealEnv
 
 from prospect_mj import paths
 from prospect_mj.agent import LearnerSettings, LinearQ, storage
-from prospect_mj.errors import RunFolderError
+from prospect_mj.errors import FolderInUse, RunFolderError
 from prospect_mj.experiment import config_file, fingerprint, folder_guard, session
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.records import ACTION_SCHEMA, TRIAL_SCHEMA
 from prospect_mj.experiment.run_folder import RunFolder
+from prospect_mj.recording import provenance
 
 CONFIG = TrainConfig(trials=4, pretrain=2, seed=4)
 FILES = {
@@ -288,8 +289,8 @@ def test_changed_model_file_is_refused(function, name, tmp_path, monkeypatch):
     session.start(CONFIG, run, make_env, **LAST_WORD)
     before = content(run)
     copy.write_bytes(getattr(paths, function)().read_bytes())
-    files = {**fingerprint._MODEL_FILES, name: lambda: copy}
-    monkeypatch.setattr(fingerprint, "_MODEL_FILES", files)
+    files = {**provenance._MODEL_FILES, name: lambda: copy}
+    monkeypatch.setattr(provenance, "_MODEL_FILES", files)
     RunFolder.open(run).close()
     copy.write_bytes(copy.read_bytes() + b" ")
     with pytest.raises(RunFolderError, match=f"{name} has changed"):
@@ -344,7 +345,7 @@ def test_foreign_yaml_is_refused(tmp_path):
 def test_folder_belongs_to_one_process(tmp_path):
     with (
         RunFolder.create(tmp_path / "run", CONFIG),
-        pytest.raises(RunFolderError, match="in use"),
+        pytest.raises(FolderInUse, match="in use"),
     ):
         RunFolder.open(tmp_path / "run")
     RunFolder.open(tmp_path / "run").close()

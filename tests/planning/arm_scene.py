@@ -22,6 +22,11 @@ FAR = 0.3
 """Larger distances are not told apart [m]."""
 
 
+def in_hand(side):
+    """The jar in one hand."""
+    return KnownJars(JAR, {side: IN_HAND})
+
+
 def limits(side):
     """Lower and upper joint limits, each (7,) [rad]."""
     ends = [posture.reflected(bound, side) for bound in np.array(wam.JOINT_LIMITS).T]

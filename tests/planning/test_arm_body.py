@@ -10,6 +10,7 @@ from arm_scene import (
     NO_JAR,
     ArmScene,
     TrueClearance,
+    in_hand,
     random_joints,
     site_pose,
 )
@@ -32,15 +33,10 @@ LYING = mink.SE3.from_rotation_and_translation(
 )
 JARS = {
     "none": lambda side: NO_JAR,
-    "held": lambda side: KnownJars(JAR, {side: IN_HAND}),
-    "held by the other": lambda side: KnownJars(JAR, {names.other(side): IN_HAND}),
+    "held": in_hand,
+    "held by the other": lambda side: in_hand(names.other(side)),
     "lying": lambda side: KnownJars(JAR, placed=LYING),
 }
-
-
-@pytest.fixture(scope="module", params=names.SIDES)
-def side(request):
-    return request.param
 
 
 def frames_of(scene, side):

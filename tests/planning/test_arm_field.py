@@ -5,8 +5,9 @@ import pytest
 from arm_scene import ArmScene
 
 from prospect_mj.planning import search
+from prospect_mj.planning.goals import GoalSet
 from prospect_mj.planning.harmonic_field import harmonic_field
-from prospect_mj.planning.planner import GoalSet, GrossPlanner, World
+from prospect_mj.planning.planner import GrossPlanner, World
 from prospect_mj.planning.streamline import streamline
 from prospect_mj.robot import names, posture
 

@@ -70,12 +70,11 @@ def test_it_is_under_the_folder_that_the_user_chose(chosen):
     assert folder().name.startswith("kernels-")
 
 
-def test_otherwise_it_is_in_the_users_cache(monkeypatch, chosen):
+def test_otherwise_it_is_in_the_users_cache(monkeypatch, chosen, tmp_path):
     monkeypatch.delenv("NUMBA_CACHE_DIR")
-    monkeypatch.setattr(
-        kernel_cache.platformdirs, "user_cache_path", Path("users").joinpath
-    )
-    assert folder().parent == Path("users/prospect_mj")
+    users = tmp_path / "users"
+    monkeypatch.setattr(kernel_cache.platformdirs, "user_cache_path", users.joinpath)
+    assert folder().parent == users / "prospect_mj"
 
 
 def test_whoever_imports_a_planner_uses_it(tmp_path):

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from arm_scene import FAR, IN_HAND, JAR, NO_JAR, ArmScene, random_joints
+from arm_scene import FAR, NO_JAR, ArmScene, in_hand, random_joints
 
 from prospect_mj.planning.arm_body import arm_body
 from prospect_mj.planning.arm_kernels import (
@@ -16,7 +16,7 @@ from prospect_mj.planning.joint_grid import JointGrid
 from prospect_mj.planning.occupancy import free_cells, room_among, wrist_at
 from prospect_mj.planning.query import Chart
 from prospect_mj.planning.static_map import MOST_ROOM, shoulders_and_elbows
-from prospect_mj.planning.surroundings import KnownJars, Surroundings, body_with
+from prospect_mj.planning.surroundings import Surroundings, body_with
 from prospect_mj.robot import names, posture
 
 MARGIN = 0.02
@@ -25,16 +25,11 @@ N = 7
 """Cells per joint."""
 
 
-@pytest.fixture(scope="module", params=names.SIDES)
-def side(request):
-    return request.param
-
-
 class Case:
     """An arm at work between a post, the other arm and perhaps a jar."""
 
     def __init__(self, side, held, margin=MARGIN):
-        known = KnownJars(JAR, {side: IN_HAND}) if held else NO_JAR
+        known = in_hand(side) if held else NO_JAR
         other = names.other(side)
         scene = ArmScene(known)
         scene.place_post([0.5, 0.25 * names.sign(side)])

@@ -7,22 +7,21 @@ import mink
 import numpy as np
 import pytest
 from arm_scene import (
-    IN_HAND,
-    JAR,
     NO_JAR,
     ArmScene,
     TrueClearance,
+    in_hand,
     random_joints,
     site_pose,
 )
+from reach_clearance import planners_clearance
 
-from prospect_mj.errors import InvalidValue
+from prospect_mj.errors import InvalidValue, ProspectError
 from prospect_mj.planning import search as searching
-from prospect_mj.planning.goals import NATURAL, apart, goals
-from prospect_mj.planning.planner import GoalSet, GrossPlanner, World
+from prospect_mj.planning.goals import NATURAL, GoalSet, apart, goals
+from prospect_mj.planning.planner import GrossPlanner, World
 from prospect_mj.planning.settings import Attempt, PlannerSettings
 from prospect_mj.planning.sight import subdivided
-from prospect_mj.planning.surroundings import KnownJars
 from prospect_mj.robot import names, posture
 
 ROOMY = Attempt(refinement=1, cell_margin=0.030, path_margin=0.015)
@@ -33,11 +32,6 @@ CORNER = np.array([1.07, -0.70])
 """Where the post is out of the way [m]."""
 WORKSPACE = np.array([[0.25, -0.15, 0.15], [0.80, 0.60, 0.80]])
 """Of the left hand [m]."""
-
-
-@pytest.fixture(scope="module", params=names.SIDES)
-def side(request):
-    return request.param
 
 
 @pytest.fixture
@@ -51,6 +45,10 @@ def planner_of(scene, side, settings=ONE_GRID):
 
 def world_of(scene):
     return World(scene.data, scene.jars)
+
+
+def clearance_of(scene, side, configurations):
+    return planners_clearance(scene.model, side, configurations, world_of(scene))
 
 
 def to(*goals):
@@ -93,8 +91,8 @@ def task(scene, side, rng):
 
 JARS = {
     "empty": lambda side: NO_JAR,
-    "with a jar": lambda side: KnownJars(JAR, {side: IN_HAND}),
-    "past a jar": lambda side: KnownJars(JAR, {names.other(side): IN_HAND}),
+    "with a jar": in_hand,
+    "past a jar": lambda side: in_hand(names.other(side)),
 }
 
 
@@ -256,7 +254,7 @@ def test_points_nearer_than_the_margin_are_too_near(scene, side):
     assert true(goal) > 0.03
     query = asked(scene, planner, start, goal)
     points = random_joints(side, rng, 3000)
-    clearance = planner.clearance(points, world_of(scene))
+    clearance = clearance_of(scene, side, points)
     assert (query.too_near(points) == (clearance < ROOMY.path_margin)).all()
     close = (clearance > 0) & (clearance < ROOMY.path_margin)
     assert close.sum() > 10
@@ -267,15 +265,15 @@ def test_near_a_tight_end_a_way_may_be_as_near_as_that_end(scene, side):
     planner, room = planner_of(scene, side), 0.0
     while not 0.004 < room < 0.012:
         tight, goal = (at_work(scene, side, rng) for _ in range(2))
-        room = planner.clearance(tight[None], world_of(scene))[0]
-        room *= planner.clearance(goal[None], world_of(scene))[0] > 0.03
+        room = clearance_of(scene, side, tight[None])[0]
+        room *= clearance_of(scene, side, goal[None])[0] > 0.03
     query = asked(scene, planner, tight, goal)
     zone = planner.settings.end_zone
     assert not query.too_near(tight[None])[0]
     directions = rng.standard_normal((4000, 7))
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
     points = tight + rng.uniform(0, 2 * zone, (4000, 1)) * directions
-    clearance = planner.clearance(points, world_of(scene))
+    clearance = clearance_of(scene, side, points)
     inside = np.linalg.norm(points - tight, axis=1) < zone
     need = np.where(inside, room - 1e-3, ROOMY.path_margin)
     assert (query.too_near(points) == (clearance < need)).all()
@@ -333,7 +331,7 @@ def unaware(scene, side, planner):
         if plan is not None:
             scene.place_post(between(plan, scene, side))
             true = TrueClearance(scene, side)
-            in_the_way = planner.clearance(plan.path, world_of(scene)).min() < 0
+            in_the_way = clearance_of(scene, side, plan.path).min() < 0
             if in_the_way and min(true(start), true(goal)) > 0.04:
                 return start, goal, plan
 
@@ -414,6 +412,14 @@ BAD = [
     ({"cells": (16, 16, 16, 16.5)}, "at least 2"),
     ({"cells": (400,) * 4}, r"memory that a grid of 400 x 400 x 400 x 400 cells"),
     ({"attempts": ()}, "attempts of the planner is 0"),
+    ({"step": 0.0}, "step of the planner .* is 0.0; expected a positive number"),
+    ({"step": -0.05}, "step of the planner .* is -0.05"),
+    ({"step": np.nan}, "step of the planner .* is nan"),
+    ({"step": np.inf}, "step of the planner .* is inf"),
+    ({"end_zone": -0.1}, "end zone of the planner .* is -0.1; expected at least 0"),
+    ({"end_zone": np.nan}, "end zone of the planner .* is nan"),
+    ({"straight": -0.5}, "straight of the planner .* is -0.5; expected at least 0"),
+    ({"straight": np.nan}, "straight of the planner .* is nan"),
 ]
 
 
@@ -424,6 +430,32 @@ def test_bad_settings_are_one_line_before_anything_is_computed(changed, message)
         PlannerSettings(**changed)
     assert time.perf_counter() - begun < 0.1
     assert "\n" not in str(refusal.value)
+
+
+BAD_ATTEMPTS = [
+    ({"cell_margin": -0.01}, "cell margin .* is -0.01; expected 0 to 0.04"),
+    ({"cell_margin": 0.05}, "cell margin .* is 0.05; expected 0 to 0.04"),
+    ({"path_margin": -0.01}, "path margin .* is -0.01; expected at least 0"),
+    ({"path_margin": np.nan}, "path margin .* is nan"),
+    ({"refinement": 0}, "refinement is 0; expected an integer of at least 1"),
+    ({"refinement": 1.5}, "refinement is 1.5"),
+    ({"repairs": 0}, "repairs is 0; expected an integer of at least 1"),
+    ({"repairs": 2.5}, "repairs is 2.5"),
+    ({"wrist": "bent"}, "wrist is 'bent'; valid: between, goal, start, straight"),
+]
+
+
+@pytest.mark.parametrize(("changed", "message"), BAD_ATTEMPTS)
+def test_an_attempt_that_is_none_is_one_line(changed, message):
+    with pytest.raises(ProspectError, match=message) as refusal:
+        replace(ROOMY, **changed)
+    assert "\n" not in str(refusal.value)
+
+
+def test_settings_may_be_as_little_as_makes_a_planner():
+    attempt = replace(ROOMY, cell_margin=0.0, path_margin=0.0, repairs=1)
+    least = PlannerSettings(attempts=(attempt,), step=1e-3, end_zone=0.0, straight=0.0)
+    assert least.attempts == (attempt,)
 
 
 def test_goals_of_a_pose_put_the_hand_there_the_most_natural_first(scene, side):

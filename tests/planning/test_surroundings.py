@@ -6,18 +6,21 @@ import mink
 import mujoco
 import numpy as np
 import pytest
-from arm_scene import IN_HAND, JAR, NO_JAR, ArmScene, random_joints, site_pose
+from arm_scene import (
+    IN_HAND,
+    JAR,
+    NO_JAR,
+    ArmScene,
+    in_hand,
+    random_joints,
+    site_pose,
+)
 
 from prospect_mj.planning.arm_body import BEYOND_ELBOW, EVERY_LINK, geoms_of
 from prospect_mj.planning.arm_kernels import CYLINDER, FOREARM, UPPER_ARM
 from prospect_mj.planning.surroundings import KnownJars, Surroundings
 from prospect_mj.robot import names, posture
 from prospect_mj.sim.scene import OBSTACLE, PEDESTAL
-
-
-@pytest.fixture(params=names.SIDES)
-def side(request):
-    return request.param
 
 
 @pytest.fixture
@@ -119,7 +122,7 @@ def jars_among(rows):
 
 def test_a_jar_in_the_other_hand_moves_with_it(scene, side):
     around, other = Surroundings(scene.model, side), names.other(side)
-    known = KnownJars(JAR, {other: IN_HAND})
+    known = in_hand(other)
     for joints in random_joints(other, np.random.default_rng(2), 3):
         scene.put(other, joints)
         (row,) = jars_among(around.moving(scene.data, known))
@@ -142,5 +145,5 @@ def test_a_lying_jar_is_where_it_lies(scene, side):
 
 def test_a_jar_in_the_own_hand_is_not_in_its_way(scene, side):
     around = Surroundings(scene.model, side)
-    assert not jars_among(around.moving(scene.data, KnownJars(JAR, {side: IN_HAND})))
+    assert not jars_among(around.moving(scene.data, in_hand(side)))
     assert not jars_among(around.moving(scene.data, NO_JAR))

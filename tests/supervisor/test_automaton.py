@@ -1,4 +1,4 @@
-"""Automata: reach, co-reach, trim and words, on one small enough to see through."""
+"""Automata: reach, co-reach and words, on one small enough to see through."""
 
 import pytest
 
@@ -35,19 +35,6 @@ def test_coreach_by_some_events_or_through_some_states_only():
     within = {"idle", "broken", "unused"}
     assert MACHINE.coreachable(within=within) == within
     assert MACHINE.coreachable(within={"busy", "broken"}) == set()
-
-
-def test_trim_leaves_what_is_both():
-    trimmed = MACHINE.trim()
-    assert trimmed.states == {"idle", "busy", "broken"}
-    assert trimmed.transitions["broken"] == {"mend": "idle"}
-    assert trimmed.trim() == trimmed
-
-
-def test_nothing_is_left_of_what_cannot_end():
-    endless = Automaton(frozenset({0}), frozenset(), {0: {"on": 0}}, 0, frozenset())
-    with pytest.raises(InvalidValue, match="initial"):
-        endless.trim()
 
 
 def test_a_word_is_followed_up_to_the_event_that_cannot_be():

@@ -6,7 +6,8 @@ import pytest
 from prospect_mj.actions.action import Action
 from prospect_mj.errors import InvalidValue
 from prospect_mj.supervisor.predicates import Place
-from prospect_mj.task.pick_place import PickPlaceTask, TrialState
+from prospect_mj.task.pick_place import PickPlaceTask
+from prospect_mj.task.trial_state import TrialState
 
 pytestmark = pytest.mark.gl
 

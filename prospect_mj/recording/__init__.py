@@ -1,0 +1,1 @@
+"""Recorded physics: every distinct outcome simulated once, to be stepped at will."""

@@ -1,0 +1,72 @@
+"""What a recording is of."""
+
+from dataclasses import asdict, dataclass, fields
+from typing import Any, Literal, Self, get_args
+
+from prospect_mj.agent.checks import check_integer
+from prospect_mj.errors import InvalidChoice
+
+# As `task` has them, without its imports of the physics: a recording is stepped where
+# there is no OpenGL.
+ObjectPose = Literal["vision", "truth"]
+GrossMotion = Literal["harmonic", "cartesian"]
+
+LARGEST_SEED = 2**63 - 1
+MOST_CELLS = 100_000
+
+
+@dataclass(frozen=True)
+class RecordingConfig:
+    """Everything that decides which outcomes a recording holds."""
+
+    seed: int = 0
+    """Of the presentations: jar's place, lamp's brightness and the cameras' noise."""
+    object_pose: ObjectPose = "vision"
+    """Where the controllers get the jar's pose from; truth is an ablation."""
+    gross_motion: GrossMotion = "harmonic"
+    """How large movements go; cartesian is an ablation."""
+    grid_cells: int = 16
+    """Cells of the harmonic ones' coarsest grid for each of its four joints."""
+
+    def __post_init__(self) -> None:
+        """Refuse numbers and choices that make no recording."""
+        check_integer("seed", self.seed, 0, LARGEST_SEED)
+        check_integer("grid cells per joint", self.grid_cells, 2, MOST_CELLS)
+        _check_choice("object pose", self.object_pose, ObjectPose)
+        _check_choice("gross motion", self.gross_motion, GrossMotion)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain dictionary, the inverse of `from_dict`."""
+        return asdict(self)
+
+    @classmethod
+    def from_dict(cls, plain: dict[str, Any]) -> Self:
+        """Build a configuration from what `as_dict` returned.
+
+        Raises:
+            ProspectError: if a setting is missing, unknown or out of range.
+        """
+        names = [setting.name for setting in fields(cls)]
+        if sorted(plain) != sorted(names):
+            raise InvalidChoice("settings", sorted(plain), names)
+        return cls(**plain)
+
+
+@dataclass(frozen=True)
+class Extent:
+    """How large a recording is to be."""
+
+    presentations: int = 50
+    """Of each orientation."""
+    depth: int = 10
+    """Executed actions up to which the tree of each is complete."""
+
+    def __post_init__(self) -> None:
+        """Refuse sizes that make no recording."""
+        check_integer("presentations", self.presentations, 1, 100_000)
+        check_integer("depth", self.depth, 1, 40)
+
+
+def _check_choice(what: str, value: str, choices: object) -> None:
+    if value not in get_args(choices):
+        raise InvalidChoice(what, value, get_args(choices))

@@ -1,0 +1,142 @@
+"""The folder of a recording that grows: it survives being killed at any moment.
+
+    recording.yaml       what the recording is of (`recording.key`)
+    left-0000.parquet    one tree each, with the states to grow it on
+    ...
+    trees.parquet        many trees without states, once they are packed
+
+Every file is replaced as a whole; a damaged one is never replaced.
+"""
+
+import os
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Self
+
+import pyarrow as pa
+from pyarrow.lib import ArrowException
+
+from prospect_mj import locking, tables
+from prospect_mj.agent.storage import replace_file
+from prospect_mj.closing import Closing
+from prospect_mj.errors import ForeignTable, RecordingError
+from prospect_mj.recording import key as keys
+from prospect_mj.recording.config import Extent
+from prospect_mj.recording.key import RecordingKey
+from prospect_mj.recording.node_table import SCHEMA, tabulated, tree_of
+from prospect_mj.recording.tree import OutcomeTree
+from prospect_mj.task.presentation import ORIENTATIONS, Orientation
+
+PACKED = "trees.parquet"
+
+
+class GrowingRecording(Closing):
+    """A recording that is open for growth, locked for one process.
+
+    Attributes:
+        path: the folder.
+        key: what the recording is of.
+    """
+
+    def __init__(self, path: Path, key: RecordingKey, lock: int) -> None:
+        """Use `open` instead."""
+        self.path, self.key, self._lock = path, key, lock
+
+    @classmethod
+    def open(cls, path: Path, key: RecordingKey) -> Self:
+        """Open a recording where its last finished work left it, or begin one.
+
+        Args:
+            path: its folder; a new or empty one begins a recording.
+            key: what is to be recorded.
+
+        Raises:
+            RecordingError: if something else is there, or a recording of other physics.
+            FolderInUse: if another process works there.
+        """
+        path.mkdir(parents=True, exist_ok=True)
+        folder = cls(path, key, locking.lock(path))
+        try:
+            folder._begin_or_check()
+        except BaseException:
+            folder.close()
+            raise
+        return folder
+
+    def _begin_or_check(self) -> None:
+        if not (self.path / keys.NAME).exists():
+            if any(not file.name.startswith(".") for file in self.path.iterdir()):
+                raise RecordingError(f"{self.path} is not empty, and no recording")
+            replace_file(self.path / keys.NAME, self.key.as_yaml())
+        stored = RecordingKey.read(self.path)
+        changed = stored.differences(self.key)
+        if changed:
+            raise RecordingError(
+                f"{self.path} can't grow on: {'; '.join(changed)}. Outcomes of "
+                "different physics don't mix; choose another folder"
+            )
+
+    def tree(self, orientation: Orientation, number: int) -> OutcomeTree | None:
+        """The tree of a presentation as far as it has grown, or None.
+
+        Raises:
+            RecordingError: if its file is damaged or belongs to another recording.
+        """
+        path = self._file(orientation, number)
+        return tree_of(read(path, self.key)) if path.exists() else None
+
+    def keep(self, tree: OutcomeTree) -> None:
+        """Make a tree, as far as it has grown, permanent."""
+        content = tables.parquet(tabulated(tree), self.key.digest)
+        replace_file(self._file(tree.orientation, tree.number), content)
+
+    def complete_trees(self, extent: Extent) -> Iterator[OutcomeTree]:
+        """The trees of an extent that are complete, one after the other."""
+        for orientation in ORIENTATIONS:
+            for number in range(extent.presentations):
+                tree = self.tree(orientation, number)
+                if tree is not None and tree.is_complete(extent.depth):
+                    yield tree
+
+    def _file(self, orientation: Orientation, number: int) -> Path:
+        return self.path / f"{orientation}-{number:04d}.parquet"
+
+    def close(self) -> None:
+        """Let other processes use the folder."""
+        if self._lock >= 0:
+            os.close(self._lock)
+            self._lock = -1
+
+
+def read(path: Path, key: RecordingKey) -> pa.Table:
+    """Read one of a recording's tables.
+
+    Raises:
+        RecordingError: if it is damaged or belongs to another recording.
+    """
+    try:
+        return tables.read(path, SCHEMA, key.digest, of="recording")
+    except ForeignTable as error:
+        raise RecordingError(str(error)) from error
+    except (OSError, ArrowException) as error:
+        raise RecordingError(f"{path} can't be read: it is damaged") from error
+
+
+def pack(trees: Iterable[OutcomeTree], key: RecordingKey, path: Path) -> None:
+    """Write trees without their states, to be stepped but not grown.
+
+    Args:
+        trees: what to write.
+        key: what they are of.
+        path: a new or empty folder.
+
+    Raises:
+        RecordingError: if something is there.
+    """
+    path.mkdir(parents=True, exist_ok=True)
+    if any(path.iterdir()):
+        raise RecordingError(f"{path} is not empty")
+    table = pa.concat_tables(tabulated(tree, states=False) for tree in trees)
+    content = tables.parquet(table, key.digest, compression="zstd")
+    replace_file(path / PACKED, content)
+    replace_file(path / keys.NAME, key.as_yaml())

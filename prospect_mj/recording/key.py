@@ -1,0 +1,125 @@
+"""recording.yaml: what a recording is of, and what made it.
+
+Its digest marks every table of the recording, so that outcomes of different physics
+never mix.
+"""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Self
+
+import yaml
+
+from prospect_mj.errors import ProspectError, RecordingError
+from prospect_mj.recording import provenance
+from prospect_mj.recording.config import RecordingConfig
+
+NAME = "recording.yaml"
+
+_FORMAT = 1
+
+
+@dataclass(frozen=True)
+class RecordingKey:
+    """What decides every outcome of a recording."""
+
+    config: RecordingConfig
+    sha256: Mapping[str, str]
+    """Digest of each model file, and of the sources below the learner."""
+    versions: Mapping[str, str]
+    """Of each package, by name."""
+    machine: Mapping[str, str]
+    """What it was made on; for information, not part of `digest`."""
+
+    @classmethod
+    def present(cls, config: RecordingConfig, renderer: str = "") -> Self:
+        """The key of what would be recorded here and now.
+
+        Args:
+            config: what is to be recorded.
+            renderer: what makes the images.
+
+        Raises:
+            MissingFile: if a model file is missing.
+        """
+        sources = {"sources": provenance.source_digest()}
+        return cls(
+            config,
+            provenance.model_digests() | sources,
+            provenance.installed_versions(),
+            provenance.machine() | {"renderer": renderer},
+        )
+
+    @property
+    def digest(self) -> str:
+        """One digest of all that decides an outcome."""
+        parts = self.config.as_dict(), dict(self.sha256), dict(self.versions)
+        return provenance.sha256(json.dumps(parts, sort_keys=True).encode())
+
+    def as_yaml(self) -> bytes:
+        """The content of the file."""
+        content = {
+            "prospect_mj_recording": _FORMAT,
+            "config": self.config.as_dict(),
+            "sha256": dict(self.sha256),
+            "versions": dict(self.versions),
+            "machine": dict(self.machine),
+        }
+        return yaml.safe_dump(content, sort_keys=False).encode()
+
+    @classmethod
+    def read(cls, folder: Path) -> Self:
+        """Read the key of the recording in a folder.
+
+        Raises:
+            RecordingError: if there is none, or it can't be read.
+        """
+        path = folder / NAME
+        if not path.is_file():
+            raise RecordingError(f"{folder} is not a recording: it has no {NAME}")
+        content = _parsed(path)
+        if content.get("prospect_mj_recording") != _FORMAT:
+            raise RecordingError(f"{path} is not the key of a recording")
+        try:
+            config = RecordingConfig.from_dict(content["config"])
+            plain = (dict(content[name]) for name in ("sha256", "versions", "machine"))
+            return cls(config, *plain)
+        except (ProspectError, KeyError, TypeError, ValueError) as error:
+            raise RecordingError(f"{path} is damaged: {error}") from error
+
+    def differences(self, other: "RecordingKey") -> list[str]:
+        """What decides outcomes and is not the same in both, in words.
+
+        Args:
+            other: the key that this one, of a recording, is held against.
+        """
+        mine, theirs = self.config.as_dict(), other.config.as_dict()
+        words = [
+            f"its {name.replace('_', ' ')} is {mine[name]}, not {theirs[name]}"
+            for name in mine
+            if mine[name] != theirs[name]
+        ]
+        words += [
+            f"it was made with {name} {was}, not {now}"
+            for name, was, now in _changed(self.versions, other.versions)
+        ]
+        changed = _changed(self.sha256, other.sha256)
+        return words + [f"{name} changed since" for name, _, _ in changed]
+
+
+def _changed(
+    then: Mapping[str, str], now: Mapping[str, str]
+) -> list[tuple[str, str | None, str | None]]:
+    names = sorted({*then, *now})
+    pairs = [(name, then.get(name), now.get(name)) for name in names]
+    return [(name, was, is_now) for name, was, is_now in pairs if was != is_now]
+
+
+def _parsed(path: Path) -> dict[str, Any]:
+    try:
+        content = yaml.safe_load(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+        raise RecordingError(f"{path} can't be read: it is damaged") from error
+    return content if isinstance(content, dict) else {}

@@ -1,0 +1,112 @@
+"""Outcome trees as tables: one row per node, in the order in which nodes were found."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import pyarrow as pa
+
+from prospect_mj.actions.action import Action, ActionResult
+from prospect_mj.recording.state_codec import STATE, state_of_row, state_row
+from prospect_mj.recording.tree import Node, OutcomeTree, Shown
+from prospect_mj.supervisor.predicates import ArmState, Jar, Place, PredicateState
+
+# "element" is Parquet's name, so that a table read back is written in the same bytes.
+_SHOWN = pa.struct(
+    {
+        "position": pa.list_(pa.field("element", pa.float64()), 3),
+        "yaw": pa.float64(),
+        "lamp_gain": pa.float64(),
+        "look": pa.string(),
+        "histogram": pa.list_(pa.field("element", pa.int32())),
+    }
+)
+
+SCHEMA = pa.schema(
+    {
+        "orientation": pa.string(),
+        "presentation": pa.int32(),
+        "node": pa.int32(),
+        "parent": pa.int32(),
+        "action": pa.int8(),
+        "executed": pa.bool_(),
+        "result": pa.string(),
+        "sim_seconds": pa.float64(),
+        "inserted": pa.bool_(),
+        "depth": pa.int8(),
+        "left_holds": pa.bool_(),
+        "left_place": pa.string(),
+        "right_holds": pa.bool_(),
+        "right_place": pa.string(),
+        "jar": pa.string(),
+        "shown": _SHOWN,
+        "state": STATE,
+    }
+)
+"""`parent`, `action` and `result` are null at a root, `shown` everywhere else, and
+`state` where nothing grows on, or where it was left out."""
+
+
+def tabulated(tree: OutcomeTree, states: bool = True) -> pa.Table:
+    """A tree's nodes under `SCHEMA`.
+
+    Args:
+        tree: the tree.
+        states: whether to keep what is needed to grow it further.
+    """
+    rows = [_row(tree, n, node, states) for n, node in enumerate(tree.nodes)]
+    return pa.Table.from_pylist(rows, schema=SCHEMA)
+
+
+def _row(tree: OutcomeTree, number: int, node: Node, states: bool) -> dict[str, Any]:
+    left, right, jar = node.predicates
+    kept = node.state if states else None
+    return {
+        "orientation": tree.orientation,
+        "presentation": tree.number,
+        "node": number,
+        "parent": node.parent,
+        "action": node.action,
+        "executed": node.executed,
+        "result": node.result,
+        "sim_seconds": node.sim_seconds,
+        "inserted": node.inserted,
+        "depth": node.depth,
+        "left_holds": left.holding,
+        "left_place": left.place,
+        "right_holds": right.holding,
+        "right_place": right.place,
+        "jar": jar,
+        "shown": vars(tree.shown) if node.parent is None else None,
+        "state": None if kept is None else state_row(kept),
+    }
+
+
+def tree_of(table: pa.Table) -> OutcomeTree:
+    """The tree that `tabulated` has made a table of."""
+    rows = table.to_pylist()
+    root = rows[0]
+    shown = root["shown"]
+    vectors = {name: tuple(shown[name]) for name in ("position", "histogram")}
+    nodes = [_node(row) for row in rows]
+    number = root["presentation"]
+    return OutcomeTree(root["orientation"], number, Shown(**shown | vectors), nodes)
+
+
+def _node(row: Mapping[str, Any]) -> Node:
+    predicates = PredicateState(
+        ArmState(row["left_holds"], Place(row["left_place"])),
+        ArmState(row["right_holds"], Place(row["right_place"])),
+        Jar(row["jar"]),
+    )
+    action, result, state = row["action"], row["result"], row["state"]
+    return Node(
+        parent=row["parent"],
+        action=None if action is None else Action(action),
+        executed=row["executed"],
+        result=None if result is None else ActionResult(result),
+        sim_seconds=row["sim_seconds"],
+        predicates=predicates,
+        inserted=row["inserted"],
+        depth=row["depth"],
+        state=None if state is None else state_of_row(state, predicates),
+    )

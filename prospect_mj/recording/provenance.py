@@ -1,0 +1,115 @@
+"""What decides an outcome besides settings: sources, model files, packages."""
+
+import ast
+import hashlib
+import platform
+from collections.abc import Iterable
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+from prospect_mj import paths
+
+# Numbers are bit-identical only within one version of each of these.
+PACKAGES = (
+    "prospect-mj",
+    "mujoco",
+    "dm-control",
+    "mink",
+    "daqp",
+    "qpsolvers",
+    "numpy",
+    "numba",
+    "scipy",
+    "opencv-python-headless",
+    "gymnasium",
+)
+
+LAYERS = (
+    "sim",
+    "robot",
+    "planning",
+    "control",
+    "vision",
+    "actions",
+    "supervisor",
+    "task",
+)
+"""Folders of the package below the learner: all that decides an outcome."""
+
+_MODEL_FILES = {
+    "models/torso.xml": paths.torso_xml,
+    "assets/jar.obj": paths.jar_obj,
+    "assets/jar.png": paths.jar_png,
+}
+
+
+def sha256(content: bytes) -> str:
+    """Hexadecimal digest."""
+    return hashlib.sha256(content).hexdigest()
+
+
+def installed_versions() -> dict[str, str]:
+    """Versions of the packages that decide a run's numbers."""
+    return {package: _version(package) for package in PACKAGES}
+
+
+def model_digests() -> dict[str, str]:
+    """SHA-256 of each model file, by name.
+
+    Raises:
+        MissingFile: if one is missing.
+    """
+    return {name: sha256(path().read_bytes()) for name, path in _MODEL_FILES.items()}
+
+
+def source_digest() -> str:
+    """SHA-256 of the package's code below the learner.
+
+    Comments, docstrings and layout don't count.
+    """
+    package = Path(paths.__file__).parent
+    files = sorted(path for layer in LAYERS for path in (package / layer).rglob("*.py"))
+    return code_digest(
+        (path.relative_to(package).as_posix(), path.read_text("utf-8"))
+        for path in files
+    )
+
+
+def code_digest(sources: Iterable[tuple[str, str]]) -> str:
+    """SHA-256 of the code of named Python sources."""
+    plain = "".join(f"# {name}\n{_code(text)}\n" for name, text in sources)
+    return sha256(plain.encode())
+
+
+def machine() -> dict[str, str]:
+    """What the numbers were made on."""
+    return {
+        "python": platform.python_version(),
+        "machine": platform.machine(),
+        "system": platform.system(),
+    }
+
+
+def _code(text: str) -> str:
+    """A source as its syntax tree says it, without the docstrings."""
+    tree = ast.parse(text)
+    for node in ast.walk(tree):
+        body = getattr(node, "body", None)
+        if isinstance(body, list):
+            node.body = [s for s in body if not _is_words(s)] or [ast.Pass()]
+    return ast.unparse(tree)
+
+
+def _is_words(statement: ast.stmt) -> bool:
+    return (
+        isinstance(statement, ast.Expr)
+        and isinstance(statement.value, ast.Constant)
+        and isinstance(statement.value.value, str)
+    )
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "not installed"
