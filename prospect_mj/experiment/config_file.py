@@ -15,6 +15,9 @@ NAME = "config.yaml"
 
 _FORMAT = 1
 
+PACKAGES = ("prospect-mj", *provenance.PACKAGES, "gymnasium")
+"""A run is bit-identical only within one version of each of these."""
+
 
 def write(path: Path, config: TrainConfig) -> None:
     """Write `config`, its digests and the installed versions, all or nothing."""
@@ -23,7 +26,7 @@ def write(path: Path, config: TrainConfig) -> None:
         # By way of JSON, as YAML knows no number that is only derived from float.
         "config": json.loads(json.dumps(config.as_dict())),
         "sha256": fingerprint.digests(config),
-        "versions": provenance.installed_versions(),
+        "versions": provenance.installed_versions(PACKAGES),
         "platform": provenance.machine(),
     }
     replace_file(path, yaml.safe_dump(content, sort_keys=False).encode())
@@ -58,7 +61,7 @@ def _parsed(path: Path) -> object:
 
 
 def _check_versions(path: Path, stored: dict[str, str]) -> None:
-    for package, installed in provenance.installed_versions().items():
+    for package, installed in provenance.installed_versions(PACKAGES).items():
         if stored.get(package) != installed:
             raise RunFolderError(
                 f"{path} was made with {package} {stored.get(package)}, "

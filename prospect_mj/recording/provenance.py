@@ -9,9 +9,7 @@ from pathlib import Path
 
 from prospect_mj import paths
 
-# Numbers are bit-identical only within one version of each of these.
 PACKAGES = (
-    "prospect-mj",
     "mujoco",
     "dm-control",
     "mink",
@@ -21,8 +19,8 @@ PACKAGES = (
     "numba",
     "scipy",
     "opencv-python-headless",
-    "gymnasium",
 )
+"""Outcomes are bit-identical only within one version of each of these."""
 
 LAYERS = (
     "sim",
@@ -48,9 +46,9 @@ def sha256(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()
 
 
-def installed_versions() -> dict[str, str]:
-    """Versions of the packages that decide a run's numbers."""
-    return {package: _version(package) for package in PACKAGES}
+def installed_versions(packages: Iterable[str] = PACKAGES) -> dict[str, str]:
+    """Version of each package, by name."""
+    return {package: _version(package) for package in packages}
 
 
 def model_digests() -> dict[str, str]:
