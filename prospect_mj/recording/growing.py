@@ -1,10 +1,5 @@
 """The folder of a recording that grows: it survives being killed at any moment.
 
-    recording.yaml       what the recording is of (`recording.key`)
-    left-0000.parquet    one tree each, with the states to grow it on
-    ...
-    trees.parquet        many trees without states, once they are packed
-
 Every file is replaced as a whole; a damaged one is never replaced.
 """
 
@@ -14,20 +9,18 @@ from pathlib import Path
 from typing import Self
 
 import pyarrow as pa
-from pyarrow.lib import ArrowException
 
 from prospect_mj import locking, tables
 from prospect_mj.agent.storage import replace_file
 from prospect_mj.closing import Closing
-from prospect_mj.errors import ForeignTable, RecordingError
+from prospect_mj.errors import RecordingError
 from prospect_mj.recording import key as keys
 from prospect_mj.recording.config import Extent
+from prospect_mj.recording.files import PACKED, read, tree_file
 from prospect_mj.recording.key import RecordingKey
-from prospect_mj.recording.node_table import SCHEMA, tabulated, tree_of
+from prospect_mj.recording.node_table import tabulated, tree_of
 from prospect_mj.recording.tree import OutcomeTree
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
-
-PACKED = "trees.parquet"
 
 
 class GrowingRecording(Closing):
@@ -82,13 +75,13 @@ class GrowingRecording(Closing):
         Raises:
             RecordingError: if its file is damaged or belongs to another recording.
         """
-        path = self._file(orientation, number)
+        path = self.path / tree_file(orientation, number)
         return tree_of(read(path, self.key)) if path.exists() else None
 
     def keep(self, tree: OutcomeTree) -> None:
         """Make a tree, as far as it has grown, permanent."""
         content = tables.parquet(tabulated(tree), self.key.digest)
-        replace_file(self._file(tree.orientation, tree.number), content)
+        replace_file(self.path / tree_file(*tree.name), content)
 
     def complete_trees(self, extent: Extent) -> Iterator[OutcomeTree]:
         """The trees of an extent that are complete, one after the other."""
@@ -98,28 +91,11 @@ class GrowingRecording(Closing):
                 if tree is not None and tree.is_complete(extent.depth):
                     yield tree
 
-    def _file(self, orientation: Orientation, number: int) -> Path:
-        return self.path / f"{orientation}-{number:04d}.parquet"
-
     def close(self) -> None:
         """Let other processes use the folder."""
         if self._lock >= 0:
             os.close(self._lock)
             self._lock = -1
-
-
-def read(path: Path, key: RecordingKey) -> pa.Table:
-    """Read one of a recording's tables.
-
-    Raises:
-        RecordingError: if it is damaged or belongs to another recording.
-    """
-    try:
-        return tables.read(path, SCHEMA, key.digest, of="recording")
-    except ForeignTable as error:
-        raise RecordingError(str(error)) from error
-    except (OSError, ArrowException) as error:
-        raise RecordingError(f"{path} can't be read: it is damaged") from error
 
 
 def pack(trees: Iterable[OutcomeTree], key: RecordingKey, path: Path) -> None:

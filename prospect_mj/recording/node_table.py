@@ -6,44 +6,10 @@ from typing import Any
 import pyarrow as pa
 
 from prospect_mj.actions.action import Action, ActionResult
-from prospect_mj.recording.state_codec import STATE, state_of_row, state_row
+from prospect_mj.recording.schema import SCHEMA
+from prospect_mj.recording.state_codec import state_of_row, state_row
 from prospect_mj.recording.tree import Node, OutcomeTree, Shown
 from prospect_mj.supervisor.predicates import ArmState, Jar, Place, PredicateState
-
-# "element" is Parquet's name, so that a table read back is written in the same bytes.
-_SHOWN = pa.struct(
-    {
-        "position": pa.list_(pa.field("element", pa.float64()), 3),
-        "yaw": pa.float64(),
-        "lamp_gain": pa.float64(),
-        "look": pa.string(),
-        "histogram": pa.list_(pa.field("element", pa.int32())),
-    }
-)
-
-SCHEMA = pa.schema(
-    {
-        "orientation": pa.string(),
-        "presentation": pa.int32(),
-        "node": pa.int32(),
-        "parent": pa.int32(),
-        "action": pa.int8(),
-        "executed": pa.bool_(),
-        "result": pa.string(),
-        "sim_seconds": pa.float64(),
-        "inserted": pa.bool_(),
-        "depth": pa.int8(),
-        "left_holds": pa.bool_(),
-        "left_place": pa.string(),
-        "right_holds": pa.bool_(),
-        "right_place": pa.string(),
-        "jar": pa.string(),
-        "shown": _SHOWN,
-        "state": STATE,
-    }
-)
-"""`parent`, `action` and `result` are null at a root, `shown` everywhere else, and
-`state` where nothing grows on, or where it was left out."""
 
 
 def tabulated(tree: OutcomeTree, states: bool = True) -> pa.Table:

@@ -4,31 +4,15 @@ from typing import Any
 
 import mink
 import numpy as np
-import pyarrow as pa
 
 from prospect_mj.actions.belief import Belief, SeenJar
 from prospect_mj.robot.names import SIDES
 from prospect_mj.supervisor.predicates import PredicateState
 from prospect_mj.task.trial_state import TrialState
 
-_NUMBERS = pa.list_(pa.field("element", pa.float64()))
-
-STATE = pa.struct(
-    {
-        "physics": _NUMBERS,
-        "seen": _NUMBERS,
-        "cradle": _NUMBERS,
-        "inserted": _NUMBERS,
-        **{f"held_{side}": _NUMBERS for side in SIDES},
-    }
-)
-"""MuJoCo's integration state (n,); position and axis (6,) of a jar that was seen;
-quaternion wxyz and position (7,) of a jar that was inserted or is held. All but the
-first are null where the robot believes no such thing."""
-
 
 def state_row(state: TrialState) -> dict[str, Any]:
-    """A state as a row under `STATE`."""
+    """A state as a row under `schema.STATE`."""
     belief = state.belief
     return {
         "physics": state.physics,

@@ -1,0 +1,53 @@
+"""The files of a recording.
+
+recording.yaml       what the recording is of (`recording.key`)
+left-0000.parquet    one tree each, with the states to grow it on
+...
+trees.parquet        many trees without states, in place of these
+"""
+
+from pathlib import Path
+
+import pyarrow as pa
+from pyarrow.lib import ArrowException
+
+from prospect_mj import tables
+from prospect_mj.errors import ForeignTable, RecordingError
+from prospect_mj.recording.key import RecordingKey
+from prospect_mj.recording.schema import SCHEMA
+
+PACKED = "trees.parquet"
+
+
+def tree_file(orientation: str, number: int) -> str:
+    """Name of the file of one tree."""
+    return f"{orientation}-{number:04d}.parquet"
+
+
+def all_trees(folder: Path, key: RecordingKey) -> pa.Table:
+    """All trees of a recording in one table, without states.
+
+    Raises:
+        RecordingError: if a file is damaged or of another recording, or there is none.
+    """
+    found = sorted(folder.glob("*-*.parquet"))
+    if (folder / PACKED).exists():
+        found.append(folder / PACKED)
+    if not found:
+        raise RecordingError(f"{folder} is a recording without any tree yet")
+    parts = [read(path, key).drop_columns(["state"]) for path in found]
+    return pa.concat_tables(parts).combine_chunks()
+
+
+def read(path: Path, key: RecordingKey) -> pa.Table:
+    """Read one of a recording's tables.
+
+    Raises:
+        RecordingError: if it is damaged or belongs to another recording.
+    """
+    try:
+        return tables.read(path, SCHEMA, key.digest, of="recording")
+    except ForeignTable as error:
+        raise RecordingError(str(error)) from error
+    except (OSError, ArrowException) as error:
+        raise RecordingError(f"{path} can't be read: it is damaged") from error

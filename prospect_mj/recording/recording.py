@@ -1,0 +1,77 @@
+"""A recording in memory, to be stepped without physics."""
+
+import warnings
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from prospect_mj import paths
+from prospect_mj.errors import RecordingError
+from prospect_mj.recording import arrays, files
+from prospect_mj.recording.arrays import LEFT, Nodes, PredicateStates, Presentations
+from prospect_mj.recording.key import RecordingKey
+from prospect_mj.task.presentation import ORIENTATIONS
+
+
+@dataclass(frozen=True)
+class Recording:
+    """Outcomes of full physics: a tree of executed actions for each presentation."""
+
+    key: RecordingKey
+    """What it is of, and what made it."""
+    nodes: Nodes
+    """What every sequence of executed actions led to."""
+    presentations: Presentations
+    """Where each tree begins, and what was seen."""
+    predicates: PredicateStates
+    """The supervisor's states that occur."""
+
+    @classmethod
+    def load(cls, path: Path | None = None) -> Self:
+        """Read a recording, grown to its end or not.
+
+        Args:
+            path: its folder; None for the one that comes with the package.
+
+        Raises:
+            RecordingError: if it is missing or damaged.
+        """
+        path = paths.RECORDING if path is None else path
+        key = RecordingKey.read(path)
+        table = files.all_trees(path, key)
+        states, number = arrays.predicate_states(table)
+        nodes = arrays.nodes(table, states, number)
+        return cls(key, nodes, arrays.presentations(table, nodes), states)
+
+    def warn_if_foreign(self) -> None:
+        """Warn if what decides outcomes has changed since the recording was made."""
+        changed = self.key.differences(RecordingKey.present(self.key.config))
+        if changed:
+            warnings.warn(
+                f"the recording may differ from live physics: {'; '.join(changed)}",
+                stacklevel=2,
+            )
+
+    def complete(self, depth: int) -> NDArray[np.intp]:
+        """Presentations in which no outcome is missing up to a depth.
+
+        Args:
+            depth: executed actions.
+
+        Returns:
+            Their numbers (k,), at least one for each side of the lid.
+
+        Raises:
+            RecordingError: if there is none for a side.
+        """
+        found = np.flatnonzero(self.presentations.depth >= depth)
+        for lid, orientation in enumerate(ORIENTATIONS, LEFT):
+            if not (self.presentations.lid[found] == lid).any():
+                raise RecordingError(
+                    "the recording has no presentation with the lid to the "
+                    f"{orientation} that is complete to {depth} executed actions"
+                )
+        return found
