@@ -1,67 +1,25 @@
 """The pick and place task as a Gymnasium environment."""
 
-from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 import gymnasium
-import mujoco
 import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
 from prospect_mj.actions.action import Action, ActionResult
-from prospect_mj.agent.features import (
-    N_BINS,
-    FeatureSettings,
-    Holding,
-    StateFeatureGenerator,
-)
-from prospect_mj.control.arm_control import GrossMotion
+from prospect_mj.agent.features import N_BINS, Holding, StateFeatureGenerator
 from prospect_mj.envs.reset_options import ResetOptions
-from prospect_mj.errors import InvalidChoice, InvalidValue
-from prospect_mj.planning.settings import PlannerSettings
-from prospect_mj.supervisor.supervisor import Mode, Supervisor
-from prospect_mj.task.pick_place import ObjectPose, PickPlaceTask, TaskSettings
-from prospect_mj.task.presentation import (
-    ORIENTATIONS,
-    Orientation,
-    PresentationSettings,
-)
+from prospect_mj.envs.settings import PickPlaceSettings
+from prospect_mj.envs.tasks import Task, make_task
+from prospect_mj.errors import InvalidChoice, RecordingError
+from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
+if TYPE_CHECKING:
+    import mujoco
 
-@dataclass(frozen=True)
-class PickPlaceSettings:
-    """The environment's arguments."""
-
-    supervisor: Mode = "none"
-    """Choice set: `none` = all six actions, `safe`, `productive`."""
-    shaping: tuple[str, ...] = ()
-    """Actions not in the choice set of the first trials, as `<action>:<trials>`."""
-    object_pose: ObjectPose = "vision"
-    """Source of the jar's first pose; `truth` is an ablation."""
-    gross_motion: GrossMotion = "harmonic"
-    """How large movements go; `cartesian` is an ablation."""
-    grid_cells: int = 16
-    """Of the coarsest grid of the harmonic ones, for each of its four joints."""
-    max_actions: int = 10
-    """After which a trial is truncated."""
-    features: FeatureSettings = field(default_factory=FeatureSettings)
-    """Reading and scale of the 303 features."""
-    presentation: PresentationSettings = field(default_factory=PresentationSettings)
-    """Spread of the jar's place and of the lamp's brightness."""
-
-    @property
-    def planning(self) -> PlannerSettings:
-        """Settings of the planner; a straight reach makes no grid."""
-        if self.gross_motion == "cartesian":
-            return PlannerSettings()
-        return PlannerSettings.with_cells(self.grid_cells)
-
-    def __post_init__(self) -> None:
-        """Refuse a trial without actions, a mode or a schedule that can't be."""
-        if not 1 <= self.max_actions <= 1000:
-            raise InvalidValue("max_actions", self.max_actions, "1 to 1000")
-        Supervisor(self.supervisor, self.shaping)
+    from prospect_mj.sim.simulation import Simulation
+    from prospect_mj.task.pick_place import PickPlaceTask
 
 
 class PickPlaceEnv(gymnasium.Env[NDArray[np.float64], int]):
@@ -121,7 +79,10 @@ status of the look: "found", "unsure" or "not_found" |
     | `inserted` | whether the jar stands in the receptacle |
 
     ## Arguments
-    `settings`: a `PickPlaceSettings`.
+    `settings`: a `PickPlaceSettings`. Each of its fields may be given by name instead,
+    such as `physics="recorded"`: every outcome is then looked up in the recording that
+    comes with the package, one of 50 presentations of each orientation, and a step
+    takes microseconds in place of a quarter of a second.
 
     ## References
     Wheeler, Fagg and Grupen, "Learning prospective pick and place behavior", ICDL 2002.
@@ -133,23 +94,29 @@ status of the look: "found", "unsure" or "not_found" |
     metadata: ClassVar[dict[str, Any]] = {"render_modes": []}
 
     def __init__(
-        self, settings: PickPlaceSettings | None = None, render_mode: None = None
+        self,
+        settings: PickPlaceSettings | None = None,
+        render_mode: None = None,
+        **changes: Any,  # noqa: ANN401
     ) -> None:
-        """Build the task; `render_mode` must be None."""
+        """Make the task.
+
+        Args:
+            settings: all settings; None for the defaults.
+            render_mode: must be None.
+            changes: single settings by name.
+
+        Raises:
+            InvalidChoice: on a setting that does not exist.
+            RenderingUnavailable: if something is to be simulated without OpenGL.
+            RecordingError: if the recording can't be had, or is of other physics.
+        """
         if render_mode is not None:
             raise InvalidChoice("render_mode", render_mode, [None])
         self.render_mode = None
-        self.settings = PickPlaceSettings() if settings is None else settings
-        self.task = PickPlaceTask(
-            TaskSettings(
-                supervisor=self.settings.supervisor,
-                shaping=self.settings.shaping,
-                object_pose=self.settings.object_pose,
-                gross_motion=self.settings.gross_motion,
-                planning=self.settings.planning,
-                presentation=self.settings.presentation,
-            )
-        )
+        given = PickPlaceSettings() if settings is None else settings
+        self.settings = given.changed(**changes)
+        self.task: Task = make_task(self.settings)
         self._generator = StateFeatureGenerator(self.settings.features)
         low, high = self._generator.bounds
         self.observation_space = spaces.Box(low, high, dtype=np.float64)
@@ -160,14 +127,20 @@ status of the look: "found", "unsure" or "not_found" |
         self._histogram: NDArray[np.int64] = np.zeros(N_BINS, np.int64)
 
     @property
-    def model(self) -> mujoco.MjModel:
+    def model(self) -> "mujoco.MjModel":
         """The live scene."""
-        return self.task.simulation.model
+        return self._simulation.model
 
     @property
-    def data(self) -> mujoco.MjData:
+    def data(self) -> "mujoco.MjData":
         """The live state."""
-        return self.task.simulation.data
+        return self._simulation.data
+
+    @property
+    def _simulation(self) -> "Simulation":
+        if self.settings.physics != "live":
+            raise RecordingError("recorded physics has no model and data")
+        return cast("PickPlaceTask", self.task).simulation
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, ParamSpec, TypeVar, cast
 
 from prospect_mj.agent import LinearQ
 from prospect_mj.errors import InvalidValue
-from prospect_mj.experiment.config import GrossMotion, TrainConfig
+from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.environment import make_environment
 from prospect_mj.experiment.training import run_trial
+from prospect_mj.recording.config import GrossMotion
 
 if TYPE_CHECKING:
     from prospect_mj.envs.pick_place import PickPlaceEnv

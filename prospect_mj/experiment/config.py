@@ -2,26 +2,24 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
-from typing import Any, Literal, Self, get_args
+from typing import Any, Self, get_args
 
 from prospect_mj.agent.checks import check_integer
 from prospect_mj.agent.features import N_FEATURES, FeatureSettings
 from prospect_mj.agent.settings import LearnerSettings
+from prospect_mj.envs.settings import Physics
 from prospect_mj.errors import InvalidChoice, InvalidValue, ProspectError
 from prospect_mj.experiment.records import ACTION_NAMES
+from prospect_mj.recording.config import (
+    LARGEST_SEED,
+    MOST_CELLS,
+    GrossMotion,
+    ObjectPose,
+)
 from prospect_mj.supervisor.supervisor import Mode, Supervisor
-
-# As `task` has them, without its imports of the physics: a mistyped option should not
-# have to wait for these.
-Orientation = Literal["left", "right"]
-ObjectPose = Literal["vision", "truth"]
-GrossMotion = Literal["harmonic", "cartesian"]
-
-ORIENTATIONS: tuple[Orientation, ...] = get_args(Orientation)
+from prospect_mj.task.presentation import Orientation
 
 _MOST_TRIALS = 100_000
-_MOST_CELLS = 100_000
-_LARGEST_SEED = 2**63 - 1
 
 
 @dataclass(frozen=True)
@@ -42,6 +40,13 @@ class TrainConfig:
     shaping: tuple[str, ...] = ()
     """Actions that the learner may not choose in the first trials, such as
     swap-left-to-right:200 swap-right-to-left:200."""
+    physics: Physics = "live"
+    """live: every action is simulated; recorded: what it led to when it was simulated
+    before is looked up."""
+    recording: str | None = None
+    """Folder of a recording; default: the one that comes with the package."""
+    grow: bool = False
+    """Simulate outcomes that the recording lacks, and add them to it."""
     object_pose: ObjectPose = "vision"
     """Where the controllers get the jar's pose from; truth is an ablation."""
     gross_motion: GrossMotion = "harmonic"
@@ -62,13 +67,14 @@ class TrainConfig:
         """Refuse every number and choice that makes no run."""
         check_integer("trials", self.trials, 1, _MOST_TRIALS)
         check_integer("pretraining trials", self.pretrain, 0, self.trials)
-        check_integer("seed", self.seed, 0, _LARGEST_SEED)
+        check_integer("seed", self.seed, 0, LARGEST_SEED)
         check_integer("actions per trial", self.max_actions, 1, 1000)
         _check_choice("dominant hand", self.dominant, Orientation)
         Supervisor(self.supervisor, self.shaping)
+        _check_choice("physics", self.physics, Physics)
         _check_choice("object pose", self.object_pose, ObjectPose)
         _check_choice("gross motion", self.gross_motion, GrossMotion)
-        check_integer("grid cells per joint", self.grid_cells, 2, _MOST_CELLS)
+        check_integer("grid cells per joint", self.grid_cells, 2, MOST_CELLS)
         if not isinstance(self.bootstrap_at_truncation, bool):
             raise InvalidValue(
                 "bootstrap at truncation", self.bootstrap_at_truncation, "true or false"

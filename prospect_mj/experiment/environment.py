@@ -1,11 +1,14 @@
-"""The environment as the training sees it, and the real one."""
+"""The environment as the training sees it, and the one that is registered."""
 
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from prospect_mj.envs.pick_place import PickPlaceEnv
+from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.experiment.config import TrainConfig
 
 Info = Mapping[str, Any]
@@ -33,20 +36,16 @@ MakeEnvironment = Callable[[TrainConfig], Environment]
 
 
 def make_environment(config: TrainConfig) -> Environment:
-    """Make the live-physics environment that `config` asks for.
+    """Make the environment that `config` asks for.
 
     Raises:
-        ProspectError: if a model file is missing or nothing can be rendered.
+        ProspectError: if a model file is missing, nothing can be rendered, or the
+            recording can't be used.
     """
-    # Only here: MuJoCo chooses its OpenGL library at import, and a mistyped option
-    # should not have to wait for it.
-    from prospect_mj.sim import gl
-
-    # Before the imports: without OpenGL they fail, each library in its own words.
-    gl.require_gl()
-    from prospect_mj.envs.pick_place import PickPlaceEnv, PickPlaceSettings
-
     settings = PickPlaceSettings(
+        physics=config.physics,
+        recording=None if config.recording is None else Path(config.recording),
+        grow=config.grow,
         supervisor=config.supervisor,
         shaping=config.shaping,
         object_pose=config.object_pose,

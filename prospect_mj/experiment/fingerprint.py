@@ -1,8 +1,12 @@
-"""Digests by which a run is known again: of its configuration and its model files."""
+"""Digests by which a run is known again: of its configuration, models and recording."""
 
 import json
+from pathlib import Path
 
+from prospect_mj import paths
 from prospect_mj.experiment.config import TrainConfig
+from prospect_mj.recording import files
+from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.provenance import model_digests, sha256
 
 CONFIGURATION = "configuration"
@@ -15,17 +19,32 @@ def digests(config: TrainConfig) -> dict[str, str]:
         config: the run; `trials` does not count, as a run may be made longer.
 
     Returns:
-        Hexadecimal digest of the configuration and of each model file, by name.
+        Hexadecimal digest of the configuration, of each model file and of recorded
+        physics, by name.
 
     Raises:
         MissingFile: if a model file is missing.
+        RecordingError: if there is no recording where there should be one.
     """
     settings = config.as_dict()
     del settings["trials"]
     plain = json.dumps(settings, sort_keys=True).encode()
-    return {CONFIGURATION: sha256(plain)} | model_digests()
+    found = {CONFIGURATION: sha256(plain)} | model_digests()
+    if config.physics == "recorded":
+        found |= {"recording": _recording_digest(config)}
+    return found
 
 
 def origin(config: TrainConfig) -> str:
     """One digest of all of `digests`, which ties the other files to the run."""
     return sha256(json.dumps(digests(config), sort_keys=True).encode())
+
+
+def _recording_digest(config: TrainConfig) -> str:
+    """Of the outcomes; of what decides them where they may become more."""
+    folder = paths.RECORDING if config.recording is None else Path(config.recording)
+    key = RecordingKey.read(folder)
+    if config.grow:
+        return key.digest
+    trees = (path.read_bytes() for path in files.tree_files(folder))
+    return sha256(b"".join([key.digest.encode(), *trees]))

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from prospect_mj.agent.features import N_BINS
 from prospect_mj.errors import InvalidValue
-from prospect_mj.experiment.config import ORIENTATIONS
+from prospect_mj.task.presentation import ORIENTATIONS
 
 Bank = Mapping[str, NDArray[np.float64]]
 

@@ -17,7 +17,6 @@ from prospect_mj.agent.features import FeatureSettings, StateFeatureGenerator
 from prospect_mj.agent.settings import LearnerSettings
 from prospect_mj.errors import InvalidChoice, InvalidValue
 from prospect_mj.experiment import ideal_task
-from prospect_mj.experiment.config import ORIENTATIONS, Orientation
 from prospect_mj.experiment.histogram_banks import Bank, HistogramBanks
 from prospect_mj.experiment.learning_curve import (
     BLOCK,
@@ -25,6 +24,7 @@ from prospect_mj.experiment.learning_curve import (
     block_means,
     near_optimal_trial,
 )
+from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
 _LID_SIDE = {"left": ideal_task.LEFT, "right": ideal_task.RIGHT}
 

@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 
 from prospect_mj.agent import LinearQ
 from prospect_mj.agent.linear_q import Choice
-from prospect_mj.experiment.config import ORIENTATIONS, Orientation, TrainConfig
+from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.environment import Environment, Info
 from prospect_mj.experiment.records import ACTION_NAMES, ActionRecord, TrialRecord
+from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
 
 class Stream(IntEnum):

@@ -24,15 +24,19 @@ def tree_file(orientation: str, number: int) -> str:
     return f"{orientation}-{number:04d}.parquet"
 
 
+def tree_files(folder: Path) -> list[Path]:
+    """The tables of a recording, in the order in which trees are counted."""
+    packed = folder / PACKED
+    return sorted(folder.glob("*-*.parquet")) + ([packed] if packed.exists() else [])
+
+
 def all_trees(folder: Path, key: RecordingKey) -> pa.Table:
     """All trees of a recording in one table, without states.
 
     Raises:
         RecordingError: if a file is damaged or of another recording, or there is none.
     """
-    found = sorted(folder.glob("*-*.parquet"))
-    if (folder / PACKED).exists():
-        found.append(folder / PACKED)
+    found = tree_files(folder)
     if not found:
         raise RecordingError(f"{folder} is a recording without any tree yet")
     parts = [read(path, key).drop_columns(["state"]) for path in found]

@@ -90,15 +90,21 @@ def machine() -> dict[str, str]:
 
 def _code(text: str) -> str:
     """A source as its syntax tree says it, without the docstrings."""
-    tree = ast.parse(text)
-    for node in ast.walk(tree):
-        body = getattr(node, "body", None)
-        if isinstance(body, list):
-            node.body = [s for s in body if not _is_words(s)] or [ast.Pass()]
-    return ast.unparse(tree)
+    return repr(_plain(ast.parse(text)))
 
 
-def _is_words(statement: ast.stmt) -> bool:
+def _plain(part: object) -> object:
+    """A syntax tree as nested lists, the same in every version of Python."""
+    if isinstance(part, list):
+        return [_plain(item) for item in part if not _is_words(item)]
+    if not isinstance(part, ast.AST):
+        return part
+    # Newer versions know more fields, which older code leaves empty.
+    fields = [(n, v) for n, v in ast.iter_fields(part) if v is not None and v != []]
+    return [type(part).__name__, *((name, _plain(value)) for name, value in fields)]
+
+
+def _is_words(statement: object) -> bool:
     return (
         isinstance(statement, ast.Expr)
         and isinstance(statement.value, ast.Constant)

@@ -13,7 +13,8 @@ from gymnasium.utils.env_checker import check_env
 
 import prospect_mj  # noqa: F401  (registers the environment)
 from prospect_mj.actions.action import ActionResult
-from prospect_mj.envs.pick_place import PickPlaceEnv, PickPlaceSettings
+from prospect_mj.envs.pick_place import PickPlaceEnv
+from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.errors import InvalidChoice, InvalidValue
 
 pytestmark = pytest.mark.gl

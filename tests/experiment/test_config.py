@@ -7,10 +7,11 @@ from typing import get_args
 import pytest
 
 from prospect_mj.agent import FeatureSettings, LearnerSettings
+from prospect_mj.control import arm_control
 from prospect_mj.errors import ProspectError
 from prospect_mj.experiment import config
 from prospect_mj.experiment.config import TrainConfig
-from prospect_mj.task import pick_place, presentation
+from prospect_mj.task import pick_place
 
 
 def test_defaults_are_the_papers_run_without_a_dominant_hand():
@@ -90,8 +91,8 @@ def test_foreign_dictionaries_are_refused(change):
 
 
 def test_choices_are_those_of_the_task():
-    assert get_args(config.Orientation) == get_args(presentation.Orientation)
     assert get_args(config.ObjectPose) == get_args(pick_place.ObjectPose)
+    assert get_args(config.GrossMotion) == get_args(arm_control.GrossMotion)
 
 
 def test_configuration_is_read_without_the_physics():

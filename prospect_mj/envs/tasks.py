@@ -1,0 +1,138 @@
+"""The task behind the environment: on live physics, or on what was recorded of it."""
+
+from dataclasses import asdict, replace
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from prospect_mj import paths
+from prospect_mj.actions.action import Action, ActionOutcome
+from prospect_mj.envs.settings import PickPlaceSettings
+from prospect_mj.errors import RecordingError
+from prospect_mj.recording.config import RecordingConfig
+from prospect_mj.recording.key import RecordingKey
+from prospect_mj.recording.recording import Recording
+from prospect_mj.recording.task import RecordedTask
+from prospect_mj.robot.names import Side
+from prospect_mj.sim import gl
+from prospect_mj.supervisor.predicates import PredicateState
+from prospect_mj.supervisor.supervisor import Supervisor
+from prospect_mj.task.presentation import Orientation
+
+
+class LookLike(Protocol):
+    """What the environment needs of a look."""
+
+    @property
+    def status(self) -> str:
+        """`found`, `unsure` or `not_found`."""
+        ...
+
+    @property
+    def histogram(self) -> NDArray[np.int64]:
+        """(100,) [pixels]."""
+        ...
+
+
+class Task(Protocol):
+    """What the environment needs of a task; see `task.pick_place.PickPlaceTask`."""
+
+    supervisor: Supervisor
+
+    @property
+    def predicates(self) -> PredicateState:
+        """As they were last observed."""
+        ...
+
+    @property
+    def holder(self) -> Side | None:
+        """The hand whose grasp predicate is on."""
+        ...
+
+    @property
+    def inserted(self) -> bool:
+        """Whether the jar stands in the receptacle and no hand holds it."""
+        ...
+
+    def reset(self, orientation: Orientation, rng: np.random.Generator) -> LookLike:
+        """Present the jar and look at it once."""
+        ...
+
+    def execute(self, action: Action) -> ActionOutcome:
+        """Run an action to its end, if it may run."""
+        ...
+
+    def close(self) -> None:
+        """Give back what is held."""
+        ...
+
+
+def make_task(settings: PickPlaceSettings) -> Task:
+    """Make the task that an environment asks for.
+
+    Raises:
+        RenderingUnavailable: if something is to be simulated without OpenGL.
+        RecordingError: if the recording can't be had, or is of other physics.
+        MissingFile: if a model or asset file is missing.
+    """
+    if settings.physics == "live":
+        return _live(settings)
+    return _growing(settings) if settings.grow else _recorded(settings)
+
+
+def _recorded(settings: PickPlaceSettings) -> Task:
+    path = settings.recording or paths.RECORDING
+    recording = Recording.load(path)
+    _check_same(path, recording.key.config, settings)
+    recording.warn_if_foreign()
+    return RecordedTask(recording, _supervisor(settings), settings.max_actions)
+
+
+def _live(settings: PickPlaceSettings) -> Task:
+    # Before the imports: MuJoCo's and dm_control's would fail, each in its own words.
+    gl.require_gl()
+    from prospect_mj.recording.grower import task_settings
+    from prospect_mj.task.pick_place import PickPlaceTask
+
+    return PickPlaceTask(
+        replace(
+            task_settings(settings.recorded_as),
+            supervisor=settings.supervisor,
+            shaping=settings.shaping,
+            presentation=settings.presentation,
+        )
+    )
+
+
+def _growing(settings: PickPlaceSettings) -> Task:
+    path = Path(settings.recording)
+    gl.require_gl()
+    from prospect_mj.recording.growing import GrowingRecording
+    from prospect_mj.recording.lazy_task import LazyTask
+
+    config = settings.recorded_as
+    if path.exists() and any(path.iterdir()):
+        stored = RecordingKey.read(path).config
+        _check_same(path, stored, settings)
+        config = stored
+    key = RecordingKey.present(config, gl.renderer_name())
+    return LazyTask(GrowingRecording.open(path, key), _supervisor(settings))
+
+
+def _supervisor(settings: PickPlaceSettings) -> Supervisor:
+    return Supervisor(settings.supervisor, settings.shaping)
+
+
+def _check_same(
+    path: Path, stored: RecordingConfig, settings: PickPlaceSettings
+) -> None:
+    """Refuse a recording that was made in another way; which seed does not matter."""
+    had, wanted = asdict(stored), asdict(settings.recorded_as)
+    for name in had.keys() - {"seed"}:
+        if had[name] != wanted[name]:
+            words = name.replace("_", " ")
+            raise RecordingError(
+                f"{path} was recorded with {words} {had[name]}, not {wanted[name]}"
+            )

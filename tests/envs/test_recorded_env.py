@@ -1,0 +1,207 @@
+"""The environment on recorded physics: the same interface, at memory speed."""
+
+import subprocess
+import sys
+import warnings
+from pathlib import Path
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.utils.env_checker import check_env
+
+import prospect_mj  # noqa: F401  (registers the environment)
+from prospect_mj import paths
+from prospect_mj.envs.pick_place import PickPlaceEnv
+from prospect_mj.envs.settings import PickPlaceSettings
+from prospect_mj.errors import InvalidChoice, InvalidValue, RecordingError
+from prospect_mj.recording import provenance
+from prospect_mj.recording.arrays import LEFT
+from prospect_mj.recording.recording import Recording
+from prospect_mj.task.presentation import ORIENTATIONS, PresentationSettings
+
+ENV_ID = "prospect_mj/PickPlace-v0"
+# Grasp left or right, swap, insert left or right, by the hand.
+GRASP = {"left": 0, "right": 1}
+SWAP_FROM = {"left": 2, "right": 3}
+INSERT = {"left": 4, "right": 5}
+OTHER = {"left": "right", "right": "left"}
+
+
+@pytest.fixture(scope="module")
+def recording():
+    return Recording.load()
+
+
+@pytest.fixture(scope="module")
+def env():
+    env = gymnasium.make(ENV_ID, physics="recorded")
+    yield env
+    env.close()
+
+
+def follow(env, lid, actions, seed=0):
+    """The infos of a trial's steps; the features stay within their space."""
+    observation, info = env.reset(seed=seed, options={"orientation": lid})
+    infos = [info]
+    for action in actions:
+        observation, reward, terminated, truncated, info = env.step(action)
+        assert env.observation_space.contains(observation)
+        assert reward == -1.0
+        infos.append({**info, "terminated": terminated, "truncated": truncated})
+    return infos
+
+
+def test_gymnasiums_own_check_finds_nothing():
+    made = gymnasium.make(ENV_ID, physics="recorded")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        check_env(made.unwrapped)
+
+
+@pytest.mark.parametrize("lid", ORIENTATIONS)
+def test_two_actions_solve_a_trial(env, lid):
+    last = follow(env, lid, [GRASP[lid], INSERT[lid]])[-1]
+    assert last["terminated"]
+    assert last["inserted"]
+    assert last["result"] == "success"
+    assert last["holding"] == "none"
+
+
+@pytest.mark.parametrize("lid", ORIENTATIONS)
+def test_a_late_correction(env, lid):
+    wrong = OTHER[lid]
+    actions = [GRASP[wrong], INSERT[wrong], SWAP_FROM[wrong], INSERT[lid]]
+    infos = follow(env, lid, actions)[1:]
+    assert [i["result"] for i in infos] == ["success", "jammed", "success", "success"]
+    assert [i["holding"] for i in infos] == [wrong, wrong, lid, "none"]
+    assert all(i["executed"] and i["sim_seconds"] > 1 for i in infos)
+
+
+def test_an_action_that_may_not_run_changes_nothing(env):
+    infos = follow(env, "left", [4, 1, 0, 2, 5])[1:]
+    assert [i["executed"] for i in infos] == [False, True, False, False, True]
+    assert infos[0]["result"] == "not_allowed"
+    assert infos[0]["sim_seconds"] == 0.0
+    assert [i["holding"] for i in infos] == ["none", *["right"] * 4]
+
+
+def test_ten_executed_actions_are_recorded_everywhere(env):
+    """A random policy never leaves the recording, and is cut off after ten actions."""
+    rng = np.random.default_rng(3)
+    longest = 0
+    for seed in range(200):
+        env.reset(seed=seed)
+        done, executed = False, 0
+        while not done:
+            action = int(rng.integers(6))
+            _, _, terminated, truncated, info = env.step(action)
+            executed += info["executed"]
+            done = terminated or truncated
+        longest = max(longest, executed)
+    assert longest >= 7
+    infos = follow(env, "left", [GRASP["right"], *[INSERT["right"]] * 9])
+    assert infos[-1]["truncated"]
+    assert sum(i["executed"] for i in infos) == 10
+
+
+def test_the_features_are_those_of_the_recorded_picture(env, recording):
+    shown = recording.presentations
+    env.reset(seed=5, options={"orientation": "right"})
+    root = env.unwrapped.task.node
+    number = int(np.flatnonzero(shown.root == root)[0])
+    assert shown.lid[number] == LEFT + 1
+    observation, *_ = env.step(INSERT["left"])
+    generator = env.unwrapped._generator
+    expected = generator.generate(shown.histogram[number], "none")
+    np.testing.assert_array_equal(observation, expected)
+
+
+def test_every_presentation_is_shown_and_none_more_often(env, recording):
+    counts = np.zeros(len(recording.nodes.child), int)
+    for seed in range(2000):
+        env.reset(seed=seed, options={"orientation": "left"})
+        counts[env.unwrapped.task.node] += 1
+    left = recording.presentations.root[recording.presentations.lid == LEFT]
+    assert counts[left].sum() == 2000
+    expected = 2000 / len(left)
+    assert abs(counts[left] - expected).max() < 5 * np.sqrt(expected)
+
+
+def test_the_same_seed_gives_the_same_trials(env):
+    one = follow(env, "left", [1, 5, 3, 4], seed=7)
+    other = follow(env, "left", [1, 5, 3, 4], seed=7)
+    assert repr(one) == repr(other)
+
+
+def test_it_needs_neither_mujoco_nor_opengl():
+    code = (
+        "import sys, gymnasium, prospect_mj\n"
+        "env = gymnasium.make('prospect_mj/PickPlace-v0', physics='recorded')\n"
+        "env.reset(seed=0); env.step(0)\n"
+        "assert not {'mujoco', 'mink', 'dm_control'} & set(sys.modules)"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_it_has_no_live_scene(env):
+    with pytest.raises(RecordingError, match="no model and data"):
+        _ = env.unwrapped.model
+
+
+def test_other_sources_or_versions_are_warned_of_and_stepped(monkeypatch):
+    monkeypatch.setattr(provenance, "source_digest", lambda: "changed")
+    monkeypatch.setattr(provenance, "PACKAGES", ("numpy", "mujoco"))
+    monkeypatch.setattr(provenance, "_version", lambda package: "0.0")
+    with pytest.warns(UserWarning, match=r"mujoco 3\.\S+, not 0\.0.*sources changed"):
+        env = PickPlaceEnv(physics="recorded")
+    env.reset(seed=0, options={"orientation": "left"})
+    assert env.step(0)[4]["executed"]
+
+
+@pytest.mark.parametrize(
+    ("changes", "error", "words"),
+    [
+        ({"physics": "memory"}, InvalidChoice, "live, recorded"),
+        ({"recording": Path("x")}, InvalidValue, "none with live physics"),
+        ({"grow": True}, InvalidValue, "none with live physics"),
+        ({"physics": "recorded", "grow": True}, InvalidValue, "a folder that may grow"),
+        ({"colour": "red"}, InvalidChoice, "physics, recording, grow"),
+        (
+            {"physics": "recorded", "presentation": PresentationSettings(yaw=0.0)},
+            InvalidValue,
+            "that of the recording",
+        ),
+        (
+            {"physics": "recorded", "gross_motion": "cartesian"},
+            RecordingError,
+            "recorded with gross motion harmonic, not cartesian",
+        ),
+        (
+            {"physics": "recorded", "object_pose": "truth"},
+            RecordingError,
+            "recorded with object pose vision, not truth",
+        ),
+        (
+            {"physics": "recorded", "max_actions": 11},
+            RecordingError,
+            "no presentation with the lid to the left that is complete to 11",
+        ),
+        (
+            {"physics": "recorded", "recording": paths.ASSETS},
+            RecordingError,
+            "is not a recording",
+        ),
+    ],
+)
+def test_what_can_not_be_is_refused(changes, error, words):
+    with pytest.raises(error, match=words):
+        PickPlaceEnv(**changes)
+
+
+def test_settings_can_be_given_whole_and_by_name():
+    settings = PickPlaceSettings(physics="recorded", supervisor="safe")
+    env = PickPlaceEnv(settings, supervisor="productive")
+    assert env.settings == settings.changed(supervisor="productive")
+    _, info = env.reset(seed=0)
+    assert info["action_mask"].tolist() == [1, 1, 0, 0, 0, 0]
