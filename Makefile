@@ -2,6 +2,7 @@
 
 PYTHON = python3
 TRIALS = 1000
+RUNS = 1000
 OUT =
 ARGS =
 JOBS = 2
@@ -14,12 +15,12 @@ DEV = $(VENV)/.dev-installed
 GL = $(VENV)/.gl-checked
 
 # Handed over as environment variables, so that the shell never parses their text.
-export TRIALS OUT
+export TRIALS RUNS OUT
 
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DEFAULT_GOAL = help
 .DELETE_ON_ERROR:
-.PHONY: help train test lint study bench constraints clean
+.PHONY: help train reproduce live test lint study bench constraints clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1|\2/p' Makefile | \
@@ -28,6 +29,13 @@ help: ## list the targets
 
 train: $(RUNTIME) $(GL) ## train on live physics: TRIALS=1000, OUT=<new folder>
 	@$(BIN)/python scripts/train.py --trials="$$TRIALS" $${OUT:+--out="$$OUT"} $(ARGS)
+
+reproduce: $(RUNTIME) ## the paper's experiment: RUNS=1000, TRIALS=1000, OUT=<folder>
+	@$(BIN)/python scripts/reproduce.py --runs="$$RUNS" --trials="$$TRIALS" \
+	$${OUT:+--out="$$OUT"} $(ARGS)
+
+live: $(RUNTIME) $(GL) ## 20 runs on live physics, to compare with; some hours
+	@$(BIN)/python scripts/live_runs.py --trials="$$TRIALS" $${OUT:+--out="$$OUT"} $(ARGS)
 
 test: lint $(GL) ## lint, then every fast test
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal $(ARGS)

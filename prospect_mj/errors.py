@@ -10,6 +10,14 @@ from collections.abc import Iterable
 class ProspectError(Exception):
     """Base of every error that this package raises on purpose."""
 
+    def __reduce__(self) -> tuple[object, ...]:
+        """Pickle by message, as some are made from other arguments."""
+        return _with_message, (type(self), str(self))
+
+
+def _with_message(kind: type[ProspectError], message: str) -> ProspectError:
+    return kind.__new__(kind, message)
+
 
 class InvalidChoice(ProspectError, ValueError):
     """A value that is not among the valid ones, which the message lists."""

@@ -19,6 +19,7 @@ CONFINED = {
     "matplotlib": (
         "prospect_mj/experiment/automaton_plot.py",
         "prospect_mj/experiment/field_plot.py",
+        "prospect_mj/experiment/paper/figures.py",
         "prospect_mj/experiment/plots.py",
         "prospect_mj/experiment/vision_plots.py",
     ),
@@ -28,7 +29,7 @@ CONFINED = {
     ),
     # Compiled code on disk grows stale unseen where what it calls is in another file,
     # but for the planner's: see `planning.kernel_cache`.
-    "numba": ("prospect_mj/experiment/ideal_task.py", "prospect_mj/planning/"),
+    "numba": ("prospect_mj/experiment/paper/kernel.py", "prospect_mj/planning/"),
     "rerun": (),
 }
 """Library: the only places that may import it (those of a later issue: nowhere)."""

@@ -6,6 +6,7 @@ import operator
 import os
 import re
 import sys
+import warnings
 from collections.abc import Callable, Sequence
 from itertools import dropwhile, takewhile
 from typing import TypeVar
@@ -76,7 +77,9 @@ def run(command: Callable[[], None], interrupted: str = "interrupted") -> int:
     """
     try:
         try:
-            command()
+            with warnings.catch_warnings():
+                warnings.showwarning = _show_warning
+                command()
         finally:
             # Here and not at the end of the process, where nothing could catch it.
             sys.stdout.flush()
@@ -90,6 +93,11 @@ def run(command: Callable[[], None], interrupted: str = "interrupted") -> int:
         print(f"error: {' '.join(str(error).split())}", file=sys.stderr)
         return _exit_code(error)
     return 0
+
+
+def _show_warning(message: Warning | str, *where: object, **more: object) -> None:
+    """One line for a user, to whom the place in the code says nothing."""
+    print(f"warning: {message}", file=sys.stderr, flush=True)
 
 
 def _exit_code(error: Exception) -> int:

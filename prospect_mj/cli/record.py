@@ -4,15 +4,19 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import tyro
-from tqdm import tqdm
 
 from prospect_mj.cli import command_line
+from prospect_mj.recording import files
 from prospect_mj.recording.config import Extent, RecordingConfig
+from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.workers import Workers
 from prospect_mj.sim import gl
+
+if TYPE_CHECKING:
+    from prospect_mj.recording.growing import GrowingRecording
 
 
 @dataclass(frozen=True)
@@ -50,21 +54,39 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _record(argv: Sequence[str]) -> None:
     options = command_line.parse(RecordOptions, argv, RecordOptions(), "record.py")
+    if options.pack is not None:
+        files.check_free_to_pack(options.pack, options.out)
     gl.require_gl()
     # Only here: MuJoCo chooses its OpenGL library at import.
-    from prospect_mj.recording import growing, growth
-    from prospect_mj.recording.key import RecordingKey
+    from prospect_mj.recording.growing import GrowingRecording
 
     key = RecordingKey.present(options.config, gl.renderer_name())
-    with growing.GrowingRecording.open(options.out, key) as recording:
-        n_trees, added = 2 * options.extent.presentations, 0
-        with tqdm(total=n_trees, unit="tree", dynamic_ncols=True) as bar:
-            for step in growth.grow(recording, options.extent, options.workers):
-                added += step.nodes
-                bar.set_postfix_str(f"{added} actions", refresh=False)
-                bar.update(step.complete)
-        print(f"{options.out}: {added} actions recorded")
+    with GrowingRecording.open(options.out, key) as recording:
+        _grow(recording, options)
         if options.pack is not None:
-            trees = recording.complete_trees(options.extent)
-            growing.pack(trees, recording.key, options.pack)
-            print(f"packed into {options.pack}")
+            _pack(recording, options.extent, options.pack)
+
+
+def _grow(recording: "GrowingRecording", options: RecordOptions) -> None:
+    from prospect_mj.cli.record_progress import RecordProgress
+    from prospect_mj.recording.growth import Growth
+
+    growth = Growth(recording, options.extent)
+    n_before = growth.n_actions
+    with RecordProgress(growth) as progress:
+        for _ in growth.run(options.workers):
+            progress.advance()
+    print(f"{options.out}: {growth.n_actions - n_before} actions recorded")
+
+
+def _pack(recording: "GrowingRecording", extent: Extent, path: Path) -> None:
+    from prospect_mj.recording.packing import pack
+
+    n_packed = pack(recording.complete_trees(extent), recording.key, path)
+    print(f"{path}: {n_packed} trees packed")
+    n_left = recording.n_trees - n_packed
+    if n_left:
+        print(
+            f"{n_left} trees of {recording.path} are left out: not complete to "
+            f"{extent.depth} executed actions, or beyond the number wanted"
+        )

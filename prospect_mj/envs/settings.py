@@ -51,9 +51,10 @@ class PickPlaceSettings:
         self._check_recording()
 
     def _check_recording(self) -> None:
-        if self.physics == "live" and (self.recording is not None or self.grow):
-            given = "recording" if self.recording is not None else "grow"
-            raise InvalidValue(given, getattr(self, given), "none with live physics")
+        if self.physics == "live" and self.recording is not None:
+            raise InvalidValue("recording", str(self.recording), "none in live physics")
+        if self.physics == "live" and self.grow:
+            raise InvalidValue("grow", self.grow, "False in live physics")
         if self.grow and self.recording is None:
             raise InvalidValue("recording", None, "a folder that may grow")
         spread = self.presentation

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from prospect_mj.agent.features import FeatureSettings, StateFeatureGenerator
 from prospect_mj.agent.settings import LearnerSettings
 from prospect_mj.errors import InvalidChoice, InvalidValue
-from prospect_mj.experiment import ideal_task
 from prospect_mj.experiment.histogram_banks import Bank, HistogramBanks
 from prospect_mj.experiment.learning_curve import (
     BLOCK,
@@ -24,9 +23,12 @@ from prospect_mj.experiment.learning_curve import (
     block_means,
     near_optimal_trial,
 )
+from prospect_mj.experiment.paper.compiled_learner import run_frozen, run_trials
+from prospect_mj.experiment.paper.kernel import Trials
+from prospect_mj.experiment.paper.outcome_graph import HANDS, ideal_graph, ideal_root
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
-_LID_SIDE = {"left": ideal_task.LEFT, "right": ideal_task.RIGHT}
+_ROOT = dict(zip(ORIENTATIONS, map(ideal_root, HANDS), strict=True))
 
 
 @dataclass(frozen=True)
@@ -113,9 +115,9 @@ def learning_study(
 
 
 class _Run(NamedTuple):
-    baseline: NDArray[np.int64]
-    dominant: NDArray[np.int64]
-    held_out: NDArray[np.int64]
+    baseline: NDArray[np.int8]
+    dominant: NDArray[np.int8]
+    held_out: NDArray[np.int8]
 
 
 def _run(train: Bank, test: Bank, settings: StudySettings, number: int) -> _Run:
@@ -135,14 +137,14 @@ def _learn(
     sides: NDArray[np.str_],
     settings: StudySettings,
     rng: np.random.Generator,
-) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+) -> tuple[NDArray[np.int8], NDArray[np.float64]]:
     """Actions (n_trials,) of a new learner, and its weights (6, 303) at the end."""
     weights = np.zeros((settings.learner.n_actions, settings.learner.n_features))
     histograms = np.stack([rng.choice(bank[side]) for side in sides])
     trials = _trials(histograms, sides, settings, rng)
     one_hot = settings.features.reading == "one_hot"
-    taken = ideal_task.run_trials(weights, trials, settings.learner, one_hot)
-    return ideal_task.capped(taken, settings.max_actions), weights
+    learned = run_trials(weights, ideal_graph(), trials, settings.learner, one_hot)
+    return learned.n_actions, weights
 
 
 def _test(
@@ -150,14 +152,13 @@ def _test(
     weights: NDArray[np.float64],
     settings: StudySettings,
     rng: np.random.Generator,
-) -> NDArray[np.int64]:
+) -> NDArray[np.int8]:
     """Actions (n_pictures,) of the frozen policy on every picture of `bank`."""
     histograms = np.concatenate([bank[side] for side in ORIENTATIONS])
     sides = np.repeat(ORIENTATIONS, [len(bank[side]) for side in ORIENTATIONS])
     trials = _trials(histograms, sides, settings, rng)
     one_hot = settings.features.reading == "one_hot"
-    taken = ideal_task.run_frozen(weights, trials, one_hot)
-    return ideal_task.capped(taken, settings.max_actions)
+    return run_frozen(weights, ideal_graph(), trials, one_hot).n_actions
 
 
 def _trials(
@@ -165,10 +166,15 @@ def _trials(
     sides: NDArray[np.str_],
     settings: StudySettings,
     rng: np.random.Generator,
-) -> ideal_task.Trials:
-    draws = rng.random((len(sides), settings.max_actions, 2))
-    lid_sides = np.array([_LID_SIDE[side] for side in sides])
-    return ideal_task.Trials(histograms, lid_sides, draws)
+) -> Trials:
+    n_trials = len(sides)
+    return Trials(
+        root=np.array([_ROOT[side] for side in sides], np.int32),
+        image=np.arange(n_trials, dtype=np.int32),
+        visual=histograms,
+        phase=np.zeros(n_trials, np.int32),
+        draws=rng.random((n_trials, settings.max_actions, 2)),
+    )
 
 
 def _scaled(bank: Bank, features: FeatureSettings) -> Bank:

@@ -94,11 +94,12 @@ def predicate_states(table: pa.Table) -> tuple[PredicateStates, NDArray[np.int64
 def _state(
     left_holds: bool, left_place: str, right_holds: bool, right_place: str, jar: str
 ) -> PredicateState:
-    return PredicateState(
-        ArmState(left_holds, Place(left_place)),
-        ArmState(right_holds, Place(right_place)),
-        Jar(jar),
-    )
+    try:
+        left = ArmState(left_holds, Place(left_place))
+        right = ArmState(right_holds, Place(right_place))
+        return PredicateState(left, right, Jar(jar))
+    except ValueError as error:
+        raise RecordingError(f"the recording is damaged: {error}") from error
 
 
 def nodes(table: pa.Table, states: PredicateStates, number: NDArray[np.int64]) -> Nodes:

@@ -27,7 +27,36 @@ def tree_file(orientation: str, number: int) -> str:
 def tree_files(folder: Path) -> list[Path]:
     """The tables of a recording, in the order in which trees are counted."""
     packed = folder / PACKED
-    return sorted(folder.glob("*-*.parquet")) + ([packed] if packed.exists() else [])
+    single = sorted(folder.glob("[!.]*-*.parquet"))
+    return single + ([packed] if packed.exists() else [])
+
+
+def check_folder(path: Path) -> None:
+    """Refuse a path on which a file is in a folder's place.
+
+    Raises:
+        RecordingError: if there is one.
+    """
+    for part in (path, *path.absolute().parents):
+        if part.exists() and not part.is_dir():
+            raise RecordingError(f"{part} is not a folder")
+
+
+def check_free_to_pack(path: Path, growing: Path) -> None:
+    """Refuse a folder that can't be packed into, before anything grows.
+
+    Args:
+        path: folder to pack into.
+        growing: folder of what is to be packed.
+
+    Raises:
+        RecordingError: if something is there, or will be.
+    """
+    check_folder(path)
+    if growing.resolve().is_relative_to(path.resolve()):
+        raise RecordingError(f"{path} can't be packed into: the recording grows in it")
+    if path.exists() and any(path.iterdir()):
+        raise RecordingError(f"{path} is not empty; pack into a new folder")
 
 
 def all_trees(folder: Path, key: RecordingKey) -> pa.Table:
@@ -50,8 +79,13 @@ def read(path: Path, key: RecordingKey) -> pa.Table:
         RecordingError: if it is damaged or belongs to another recording.
     """
     try:
-        return tables.read(path, SCHEMA, key.digest, of="recording")
+        table = tables.read(path, SCHEMA, key.digest, of="recording")
     except ForeignTable as error:
         raise RecordingError(str(error)) from error
+    except PermissionError as error:
+        raise RecordingError(f"{path} can't be read: {error.strerror}") from error
     except (OSError, ArrowException) as error:
         raise RecordingError(f"{path} can't be read: it is damaged") from error
+    if not table.num_rows:
+        raise RecordingError(f"{path} is damaged: it holds no tree")
+    return table

@@ -4,19 +4,17 @@ Every file is replaced as a whole; a damaged one is never replaced.
 """
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Self
-
-import pyarrow as pa
 
 from prospect_mj import locking, tables
 from prospect_mj.agent.storage import replace_file
 from prospect_mj.closing import Closing
 from prospect_mj.errors import RecordingError
+from prospect_mj.recording import files
 from prospect_mj.recording import key as keys
 from prospect_mj.recording.config import Extent
-from prospect_mj.recording.files import PACKED, read, tree_file
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.node_table import tabulated, tree_of
 from prospect_mj.recording.tree import OutcomeTree
@@ -44,9 +42,11 @@ class GrowingRecording(Closing):
             key: what is to be recorded.
 
         Raises:
-            RecordingError: if something else is there, or a recording of other physics.
+            RecordingError: if something else is there, or a recording of other physics,
+                or one without states.
             FolderInUse: if another process works there.
         """
+        files.check_folder(path)
         path.mkdir(parents=True, exist_ok=True)
         folder = cls(path, key, locking.lock(path))
         try:
@@ -62,6 +62,10 @@ class GrowingRecording(Closing):
                 raise RecordingError(f"{self.path} is not empty, and no recording")
             replace_file(self.path / keys.NAME, self.key.as_yaml())
         stored = RecordingKey.read(self.path)
+        if (self.path / files.PACKED).exists():
+            raise RecordingError(
+                f"{self.path} can't grow on: it was packed without states"
+            )
         changed = stored.differences(self.key)
         if changed:
             raise RecordingError(
@@ -73,15 +77,30 @@ class GrowingRecording(Closing):
         """The tree of a presentation as far as it has grown, or None.
 
         Raises:
-            RecordingError: if its file is damaged or belongs to another recording.
+            RecordingError: if its file is damaged or belongs to another recording, or
+                to another presentation.
         """
-        path = self.path / tree_file(orientation, number)
-        return tree_of(read(path, self.key)) if path.exists() else None
+        path = self.path / files.tree_file(orientation, number)
+        if not path.exists():
+            return None
+        try:
+            tree = tree_of(files.read(path, self.key))
+        except (ValueError, TypeError, LookupError) as error:
+            raise RecordingError(f"{path} is damaged: it holds no tree") from error
+        if tree.name != (orientation, number):
+            held = files.tree_file(*tree.name)
+            raise RecordingError(f"{path} is misnamed: it holds what {held} should")
+        return tree
 
     def keep(self, tree: OutcomeTree) -> None:
         """Make a tree, as far as it has grown, permanent."""
         content = tables.parquet(tabulated(tree), self.key.digest)
-        replace_file(self.path / tree_file(*tree.name), content)
+        replace_file(self.path / files.tree_file(*tree.name), content)
+
+    @property
+    def n_trees(self) -> int:
+        """Trees that are there, complete or not."""
+        return len(files.tree_files(self.path))
 
     def complete_trees(self, extent: Extent) -> Iterator[OutcomeTree]:
         """The trees of an extent that are complete, one after the other."""
@@ -96,23 +115,3 @@ class GrowingRecording(Closing):
         if self._lock >= 0:
             os.close(self._lock)
             self._lock = -1
-
-
-def pack(trees: Iterable[OutcomeTree], key: RecordingKey, path: Path) -> None:
-    """Write trees without their states, to be stepped but not grown.
-
-    Args:
-        trees: what to write.
-        key: what they are of.
-        path: a new or empty folder.
-
-    Raises:
-        RecordingError: if something is there.
-    """
-    path.mkdir(parents=True, exist_ok=True)
-    if any(path.iterdir()):
-        raise RecordingError(f"{path} is not empty")
-    table = pa.concat_tables(tabulated(tree, states=False) for tree in trees)
-    content = tables.parquet(table, key.digest, compression="zstd")
-    replace_file(path / PACKED, content)
-    replace_file(path / keys.NAME, key.as_yaml())

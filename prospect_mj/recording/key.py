@@ -52,6 +52,10 @@ class RecordingKey:
             provenance.machine() | {"renderer": renderer},
         )
 
+    def __hash__(self) -> int:
+        """A hash, as the dictionaries have none."""
+        return hash(self.digest)
+
     @property
     def digest(self) -> str:
         """One digest of all that decides an outcome."""

@@ -86,6 +86,11 @@ class OutcomeTree:
         """Of the presentation: its orientation and number."""
         return self.orientation, self.number
 
+    @property
+    def n_actions(self) -> int:
+        """Actions that are recorded: all nodes but the root."""
+        return len(self.nodes) - 1
+
     def add(self, node: Node) -> None:
         """Append what a new edge led to; a parent without further edges is done."""
         self.children[node.parent, node.action] = len(self.nodes)
@@ -116,3 +121,20 @@ class OutcomeTree:
             known = (number, action) in self.children
             if not known and _SUPERVISOR.may_run(action, node.predicates):
                 yield Edge(number, action)
+
+
+def usual_actions(depth: int) -> int:
+    """Edges of a complete tree in which every action does what it is named for.
+
+    Then one hand holds the jar after the first action. From there on two actions can
+    run: a swap changes the hand; an insertion jams and changes nothing if the jar is
+    held the wrong way round, else it ends the trial. See docs/recording.md.
+
+    Args:
+        depth: executed actions up to which the tree is complete.
+    """
+    wrong, right, edges = 1, 1, 2
+    for _ in range(depth - 1):
+        edges += 2 * (wrong + right)
+        wrong, right = wrong + right, wrong
+    return edges

@@ -1,16 +1,21 @@
 """Work spread over processes by joblib: local ones, or those of a Ray cluster."""
 
+import warnings
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import AbstractContextManager, nullcontext
+from concurrent.futures import BrokenExecutor
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
-from typing import Literal, TypeVar, get_args
+from typing import Any, Literal, TypeVar, get_args
 
 import joblib
 
 from prospect_mj.agent.checks import check_integer
-from prospect_mj.errors import InvalidChoice, MissingPackage
+from prospect_mj.errors import InvalidChoice
+from prospect_mj.recording.ray_cluster import connected
 
 Backend = Literal["local", "ray"]
+Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
+"""Like `map`, but for the order: results as they are ready."""
 
 _Given = TypeVar("_Given")
 _Made = TypeVar("_Made")
@@ -32,30 +37,60 @@ class Workers:
         if self.backend not in get_args(Backend):
             raise InvalidChoice("backend", self.backend, get_args(Backend))
 
+    @contextmanager
+    def mapper(self) -> Iterator[Mapper]:
+        """Open the processes; they stay for everything that is mapped.
+
+        Yields:
+            What applies a function, importable by name, to each of its arguments. On
+            Ray the results come together, once all are ready: joblib's backend for it
+            has no other way.
+
+        Raises:
+            MissingPackage: if Ray is wanted, and not installed.
+            InvalidValue: if no Ray cluster is at RAY_ADDRESS, or it is too small.
+            ChildProcessError: if a process was lost.
+        """
+        returned = "list" if self.backend == "ray" else "generator_unordered"
+        with self._backend(), _told_plainly():
+            # Processes of other machines can't read what joblib would put on disk.
+            parallel = joblib.Parallel(
+                self.jobs, return_as=returned, pre_dispatch="all", max_nbytes=None
+            )
+            with parallel:
+                yield lambda function, items: parallel(
+                    joblib.delayed(function)(item) for item in items
+                )
+
     def map(
         self, function: Callable[[_Given], _Made], items: Iterable[_Given]
     ) -> Iterator[_Made]:
-        """Results of a function, as they are ready.
+        """Results of a function, as `mapper` gives them, on processes opened for it.
 
         Args:
             function: importable by name.
             items: its arguments.
+
+        Raises:
+            ProspectError, ChildProcessError: as `mapper`.
         """
-        with self._context():
-            yield from joblib.Parallel(
-                n_jobs=self.jobs, return_as="generator_unordered", pre_dispatch="all"
-            )(joblib.delayed(function)(item) for item in items)
+        with self.mapper() as mapped:
+            yield from mapped(function, items)
 
-    def _context(self) -> AbstractContextManager[object]:
-        if self.backend == "local":
-            return joblib.parallel_config("loky") if self.jobs > 1 else nullcontext()
-        return _ray()
+    def _backend(self) -> AbstractContextManager[object]:
+        if self.backend == "ray":
+            return connected(self.jobs)
+        return joblib.parallel_config("loky")
 
 
-def _ray() -> AbstractContextManager[object]:
+@contextmanager
+def _told_plainly() -> Iterator[None]:
     try:
-        from ray.util.joblib import register_ray
-    except ImportError as error:
-        raise MissingPackage("ray", "cluster") from error
-    register_ray()
-    return joblib.parallel_config("ray")
+        with warnings.catch_warnings():
+            # Joblib complains of work that an interruption leaves undone.
+            warnings.filterwarnings("ignore", r"\d+ tasks which were", UserWarning)
+            yield
+    except BrokenExecutor as error:
+        raise ChildProcessError(
+            "a worker process was killed, or ran out of memory"
+        ) from error

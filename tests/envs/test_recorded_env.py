@@ -163,8 +163,8 @@ def test_other_sources_or_versions_are_warned_of_and_stepped(monkeypatch):
     ("changes", "error", "words"),
     [
         ({"physics": "memory"}, InvalidChoice, "live, recorded"),
-        ({"recording": Path("x")}, InvalidValue, "none with live physics"),
-        ({"grow": True}, InvalidValue, "none with live physics"),
+        ({"recording": Path("x")}, InvalidValue, "'x'; expected none in live physics"),
+        ({"grow": True}, InvalidValue, "expected False in live physics"),
         ({"physics": "recorded", "grow": True}, InvalidValue, "a folder that may grow"),
         ({"colour": "red"}, InvalidChoice, "physics, recording, grow"),
         (

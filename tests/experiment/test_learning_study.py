@@ -2,65 +2,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from ideal_env import IdealEnv, counts_per_orientation
+from ideal_env import counts_per_orientation
 
-from prospect_mj.agent import FeatureSettings, LearnerSettings, LinearQ
 from prospect_mj.errors import InvalidChoice, InvalidValue
-from prospect_mj.experiment import ideal_task
-from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.histogram_banks import HistogramBanks
 from prospect_mj.experiment.learning_study import StudySettings, learning_study
-
-SIDES = {"left": ideal_task.LEFT, "right": ideal_task.RIGHT}
-
-
-class Recorded:
-    """A generator that gives out the kernel's numbers."""
-
-    def __init__(self, numbers):
-        self.random = iter(numbers).__next__
-
-
-@pytest.mark.parametrize("reading", ["product", "one_hot"])
-@pytest.mark.parametrize("bootstrap", [True, False])
-def test_compiled_learner_is_linear_q(reading, bootstrap):
-    rng, n_trials = np.random.default_rng(8), 150
-    settings = LearnerSettings(step_size=0.02, epsilon=0.1)
-    config = TrainConfig(features=FeatureSettings(reading=reading), learner=settings)
-    env, learner = IdealEnv(config), LinearQ(settings)
-    sides = rng.choice(["left", "right"], n_trials)
-    draws = rng.random((n_trials, config.max_actions, 2))
-    outcomes = [
-        one_trial(env, learner, side, numbers.ravel(), bootstrap)
-        for side, numbers in zip(sides, draws, strict=True)
-    ]
-    weights = np.zeros((6, 303))
-    trials = ideal_task.Trials(
-        histograms=np.stack([env.counts[side] for side in sides]),
-        lid_sides=np.array([SIDES[side] for side in sides]),
-        draws=draws,
-    )
-    taken = ideal_task.run_trials(
-        weights, trials, settings, reading == "one_hot", bootstrap
-    )
-    assert taken.tolist() == outcomes
-    assert 0 < np.count_nonzero(taken <= 10) < n_trials
-    np.testing.assert_allclose(weights, learner.weights, rtol=1e-9, atol=1e-12)
-
-
-def one_trial(env, learner, side, numbers, bootstrap):
-    """Actions that `LinearQ` takes with the given numbers; 11 if in vain."""
-    rng = Recorded(numbers)
-    features, _ = env.reset(seed=0, options={"orientation": side})
-    for taken in range(1, 11):
-        action = learner.select(features, rng)
-        next_features, reward, solved, cut_off, _ = env.step(action)
-        ends = solved or (cut_off and not bootstrap)
-        learner.update(features, action, reward, next_features, ends)
-        if solved:
-            return taken
-        features = next_features
-    return 11
 
 
 def banks(**vectors):
@@ -138,17 +84,3 @@ def test_bad_banks_and_settings_are_named(tmp_path):
         StudySettings(trials=100, pretrain=80)
     with pytest.raises(InvalidChoice, match="left, right"):
         StudySettings(dominant="both")
-
-
-@pytest.mark.parametrize("wrong", ["weights", "histograms", "lid_sides", "draws"])
-def test_compiled_code_gets_arrays_of_the_right_size_only(wrong):
-    arrays = {
-        "weights": np.zeros((6, 303)),
-        "histograms": np.zeros((4, 100)),
-        "lid_sides": np.ones(4, dtype=int),
-        "draws": np.zeros((4, 10, 2)),
-    }
-    arrays[wrong] = arrays[wrong][..., :1]
-    weights = arrays.pop("weights")
-    with pytest.raises(InvalidValue, match="shape"):
-        ideal_task.run_frozen(weights, ideal_task.Trials(**arrays))

@@ -15,6 +15,7 @@ SCRIPTS = Path(__file__).parents[2] / "scripts"
     [
         ("train.py", "--trials", "1", "--out", "run"),
         ("bench.py",),
+        ("record.py", "--out", "run"),
         ("skill_study.py",),
         ("watch.py", "--video", "film.mp4"),
     ],

@@ -1,0 +1,56 @@
+"""The command line that makes runs on live physics, to compare recorded ones with."""
+
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+from tqdm import tqdm
+
+from prospect_mj.cli import command_line
+from prospect_mj.experiment.paper import live_runs
+from prospect_mj.experiment.paper.live_runs import LiveRuns
+from prospect_mj.recording.workers import Workers
+from prospect_mj.sim import gl
+
+
+@dataclass(frozen=True)
+class LiveOptions:
+    """Make runs on live physics, some minutes each.
+
+    The same command again starts those that are not there and resumes those that were
+    stopped.
+    """
+
+    out: Path = Path("runs/live")
+    """Folder of the run folders."""
+    wanted: Annotated[LiveRuns, tyro.conf.arg(name="")] = field(
+        default_factory=LiveRuns
+    )
+    """The runs."""
+    workers: Annotated[Workers, tyro.conf.arg(name="")] = field(default_factory=Workers)
+    """Who does the work."""
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Make the runs as the command line says.
+
+    Returns:
+        The exit code; see `command_line.run`.
+    """
+    arguments = sys.argv[1:] if argv is None else argv
+    return command_line.run(
+        lambda: _make(arguments), interrupted="interrupted: finished trials are kept"
+    )
+
+
+def _make(argv: Sequence[str]) -> None:
+    options = command_line.parse(LiveOptions, argv, LiveOptions(), "live_runs.py")
+    gl.require_gl()
+    total = options.wanted.runs
+    with tqdm(total=total, unit="run", dynamic_ncols=True, disable=None) as bar:
+        for _ in live_runs.advance(options.wanted, options.out, options.workers):
+            bar.update()
+    print(f"{options.out}: {total} runs are finished")

@@ -1,0 +1,1 @@
+"""The paper's experiment at its full size, on recorded physics."""

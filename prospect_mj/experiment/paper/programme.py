@@ -1,0 +1,135 @@
+"""The programme of every run: what its trials present, and the numbers it draws.
+
+Each run has a seed of its own, made of the study's seed and the run's number, and in it
+one for each source of chance. So a run is the same whoever computes it, in a study of
+any size, and a change of one source leaves the others as they are.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from prospect_mj.agent.features import StateFeatureGenerator
+from prospect_mj.errors import RecordingError
+from prospect_mj.experiment.paper.kernel import Trials
+from prospect_mj.experiment.paper.outcome_graph import HANDS, phases, recorded_graph
+from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
+from prospect_mj.recording.arrays import LEFT
+from prospect_mj.recording.recording import Recording
+from prospect_mj.supervisor.supervisor import Supervisor
+from prospect_mj.task.presentation import ORIENTATIONS
+
+
+class Run(NamedTuple):
+    """One run of the learner, before it begins."""
+
+    lid: NDArray[np.int8]
+    """(n_trials,), side of the lid, LEFT or RIGHT."""
+    counts: NDArray[np.float64]
+    """(n_images, 100), the histograms of `trials.image` before they are scaled."""
+    trials: Trials
+    """What is presented, and the learner's random numbers."""
+    weights: NDArray[np.float64]
+    """(6, 303), the initial ones."""
+
+
+class Programme:
+    """Makes the runs of a population.
+
+    Args:
+        recording: where outcomes and histograms come from.
+        scenario: what the trials present.
+        settings: of the population.
+
+    Attributes:
+        recording: as given.
+        settings: as given.
+        supervisor: decides what the learner may choose from.
+        graph: what actions lead to.
+        generator: makes the features.
+    """
+
+    def __init__(
+        self, recording: Recording, scenario: Scenario, settings: PopulationSettings
+    ) -> None:
+        """Find the presentations that are complete, and scale their histograms.
+
+        Raises:
+            RecordingError: if there are too few for a side of the lid.
+        """
+        self.recording, self.settings = recording, settings
+        self._scenario = scenario
+        self.supervisor = Supervisor(settings.supervisor, settings.shaping)
+        self.graph = recorded_graph(recording, self.supervisor)
+        self.generator = StateFeatureGenerator(settings.features)
+        self._phase = phases(self.supervisor, scenario.trials)
+        self._shown = _shown(recording, settings)
+        self._counts = recording.presentations.histogram.astype(np.float64)
+        self._visual = self._scaled(self._counts)
+
+    def run(self, number: int) -> Run:
+        """Run `number` of the population, from 0."""
+        seed = np.random.SeedSequence(self.settings.seed, spawn_key=(number,))
+        presents, draws, begins, noise = map(np.random.default_rng, seed.spawn(4))
+        lid, shown = self._presented(presents)
+        image, counts, visual = shown, self._counts, self._visual
+        if self.settings.image_noise:
+            image = np.arange(len(shown), dtype=np.int32)
+            counts = self._noisy(self._visual[shown], noise)
+            visual = self._scaled(counts)
+        n_trials, max_actions = len(lid), self.settings.max_actions
+        trials = Trials(
+            root=self.recording.presentations.root[shown],
+            image=image,
+            visual=visual,
+            phase=self._phase,
+            draws=draws.random((n_trials, max_actions, 2)),
+        )
+        return Run(lid, counts, trials, self._initial_weights(begins))
+
+    def _presented(
+        self, rng: np.random.Generator
+    ) -> tuple[NDArray[np.int8], NDArray[np.int32]]:
+        """(n_trials,): the lid's side, and the number of the presentation."""
+        draws = rng.random((self._scenario.trials, 2))
+        lid = np.where(draws[:, 0] < 0.5, *HANDS).astype(np.int8)
+        dominant = LEFT + ORIENTATIONS.index(self._scenario.dominant)
+        lid[: self._scenario.pretrain] = dominant
+        shown = np.empty(len(lid), np.int32)
+        for side, numbers in self._shown.items():
+            of_side = lid == side
+            drawn = (draws[of_side, 1] * len(numbers)).astype(np.intp)
+            shown[of_side] = numbers[drawn]
+        return lid, shown
+
+    def _noisy(
+        self, visual: NDArray[np.float64], rng: np.random.Generator
+    ) -> NDArray[np.float64]:
+        noise = rng.normal(0.0, self.settings.image_noise, visual.shape)
+        return np.maximum(visual + noise, 0.0)
+
+    def _scaled(self, counts: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.stack([self.generator.scaled_histogram(row) for row in counts])
+
+    def _initial_weights(self, rng: np.random.Generator) -> NDArray[np.float64]:
+        learner, sd = self.settings.learner, self.settings.initial_sd
+        shape = learner.n_actions, learner.n_features
+        return rng.normal(0.0, sd, shape) if sd else np.zeros(shape)
+
+
+def _shown(
+    recording: Recording, settings: PopulationSettings
+) -> dict[int, NDArray[np.intp]]:
+    """Numbers of the presentations that may be shown, for each side of the lid."""
+    complete = recording.complete(settings.max_actions)
+    lids, most = recording.presentations.lid[complete], settings.presentations
+    shown = {side: complete[lids == side][:most] for side in HANDS}
+    for side, orientation in zip(HANDS, ORIENTATIONS, strict=True):
+        if most is not None and len(shown[side]) < most:
+            raise RecordingError(
+                f"the recording has {len(shown[side])} presentations with the lid to "
+                f"the {orientation} that are complete to {settings.max_actions} "
+                f"executed actions, not {most}"
+            )
+    return shown

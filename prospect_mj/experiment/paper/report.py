@@ -1,0 +1,129 @@
+"""The report of a reproduction, in Markdown."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from prospect_mj.experiment.paper import ablation, report_ablation, report_statements
+from prospect_mj.experiment.paper.bands import LEVEL, RESAMPLES
+from prospect_mj.experiment.paper.live_check import LiveCheck
+from prospect_mj.experiment.paper.optimum import Optimum
+from prospect_mj.experiment.paper.plain import Speed
+from prospect_mj.experiment.paper.reproduction import PRETRAIN, ReproduceConfig
+from prospect_mj.experiment.paper.sample import Sample
+from prospect_mj.experiment.paper.statements import Judgement
+
+FIGURES = {
+    "figure_5a": "Actions per trial without a dominant hand.",
+    "figure_5b": "Actions per trial with a dominant hand.",
+    "figure_6a": "Strategies in easy trials.",
+    "figure_6b": "Strategies in difficult trials.",
+}
+"""Each with its caption; a PNG and a Parquet file have its name."""
+LIVE = "live"
+ABLATION = "ablation"
+STATEMENTS = "statements"
+
+
+@dataclass(frozen=True)
+class Timing:
+    """How long learning took."""
+
+    seconds: float
+    """Wall time of both scenarios, as they were computed [s]."""
+    jobs: int
+    """Threads."""
+    actions: int
+    """That the learners took."""
+    speed: Speed
+    """Of the compiled and the plain learner, measured for the report."""
+
+
+@dataclass(frozen=True)
+class Results:
+    """All that a report tells."""
+
+    config: ReproduceConfig
+    presentations: tuple[int, int]
+    """Complete ones with the lid to the left, to the right."""
+    optimum: Optimum
+    sample: Sample
+    judgements: Sequence[Judgement]
+    rows: Sequence[ablation.Row]
+    live: LiveCheck | None
+    timing: Timing
+
+
+def report(results: Results) -> str:
+    """Write the report."""
+    sections = (
+        _opening(results),
+        report_statements.published(results.judgements),
+        _figures(),
+        report_statements.further(results.sample),
+        report_statements.infants(results.sample),
+        report_ablation.section(results.rows, results.config.ablation_runs),
+        _live(results.live),
+        _timing(results.timing),
+    )
+    return "\n\n".join(part for section in sections for part in section) + "\n"
+
+
+def _opening(results: Results) -> Iterable[str]:
+    config, best = results.config, results.optimum
+    left, right = results.presentations
+    yield "# The paper's experiment on recorded physics"
+    yield (
+        f"{config.runs} runs of {config.trials} trials per scenario: without a "
+        f"dominant hand, and with one, after {PRETRAIN} trials of pretraining. Every "
+        "outcome was simulated in full physics, and recorded, for "
+        f"{left} presentations with the lid to the left and {right} with the lid to "
+        f"the right. The best possible mean is {best.mean:.3f} actions per trial "
+        f"({best.left:.3f} with the lid to the left, {best.right:.3f} to the right), "
+        "computed from the recording by dynamic programming."
+    )
+    yield (
+        f"In brackets: {100 * LEVEL:.0f} % intervals, percentiles of {RESAMPLES} "
+        "resamples of the runs. The bands of the figures are made in the same way, set "
+        "by set."
+    )
+
+
+def _figures() -> Iterable[str]:
+    yield "## Figures"
+    for name, caption in FIGURES.items():
+        yield f"![{caption}]({name}.png)"
+        words = f"As the paper's {name.replace('_', ' ')}. {caption}"
+        yield f"*{words} [Numbers]({name}.parquet).*"
+
+
+def _live(live: LiveCheck | None) -> Iterable[str]:
+    yield "## Live physics against recorded"
+    if live is None:
+        yield "Not compared: no live runs were given."
+        return
+    if not live.runs:
+        yield f"Not compared: of {live.unfinished} live runs none is complete."
+        return
+    left_out = (
+        f" ({live.unfinished} unfinished ones left out)" if live.unfinished else ""
+    )
+    verdict = "They agree" if live.agrees else "They do not agree"
+    yield (
+        f"{live.runs} runs on live physics{left_out} against the simultaneous "
+        f"{100 * LEVEL:.0f} % band of means of as many recorded runs: the live mean is "
+        f"inside in {100 * live.inside:.1f} % of the sets of ten trials. **{verdict}.**"
+    )
+    yield f"![Live runs on the band of recorded ones]({LIVE}.png)"
+    yield f"*[Numbers]({LIVE}.parquet).*"
+
+
+def _timing(timing: Timing) -> Iterable[str]:
+    yield "## Speed"
+    plain = timing.actions / timing.speed.plain
+    yield (
+        f"Both scenarios, {timing.actions} actions, took {timing.seconds:.1f} s of "
+        f"wall time in {timing.jobs} threads. On one thread the compiled learner takes "
+        f"and learns from {timing.speed.kernel:.0f} actions per second, the plain "
+        f"NumPy learner from {timing.speed.plain:.0f}: for the same it would need "
+        f"{plain:.0f} s."
+    )

@@ -1,0 +1,165 @@
+"""The paper's experiment from a recording to the report."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from prospect_mj.experiment.paper import ablation, live_check, pictures, statements
+from prospect_mj.experiment.paper.ablation import Variant
+from prospect_mj.experiment.paper.live_check import FoundRuns, LiveCheck
+from prospect_mj.experiment.paper.optimum import optimum
+from prospect_mj.experiment.paper.plain import measured_speed
+from prospect_mj.experiment.paper.report import (
+    ABLATION,
+    STATEMENTS,
+    Results,
+    Timing,
+    report,
+)
+from prospect_mj.experiment.paper.reproduction import (
+    REPORT,
+    ReproduceConfig,
+    Reproduction,
+)
+from prospect_mj.experiment.paper.sample import Sample
+from prospect_mj.experiment.paper.scenario import PopulationSettings
+from prospect_mj.experiment.paper.store import Kept, Store, recording_digest
+from prospect_mj.recording.arrays import LEFT, RIGHT
+from prospect_mj.recording.recording import Recording
+
+Tick = Callable[[], None]
+
+POPULATIONS = "populations"
+
+
+@dataclass(frozen=True)
+class _Study:
+    """What all steps need."""
+
+    recording: Recording
+    config: ReproduceConfig
+    store: Store
+    jobs: int
+    rng: np.random.Generator
+    tick: Tick
+
+    def learned(self, runs: int, variant: Variant | None = None) -> tuple[Kept, Kept]:
+        """The populations of both scenarios, with the default settings or others."""
+        kept = []
+        pairs = zip(self.config.scenarios, self.config.populations(runs), strict=True)
+        for scenario, default in pairs:
+            settings = default if variant is None else variant.settings(default)
+            kept.append(self.store.get(scenario, settings))
+            self.tick()
+        return tuple(kept)
+
+    def sampled(self, kept: tuple[Kept, Kept]) -> Sample:
+        """Both populations' curves, resampled."""
+        return Sample.of(*(one.population for one in kept), self.rng)
+
+
+def n_steps() -> int:
+    """Times that `reproduce` calls its tick."""
+    return 2 * (1 + len(ablation.variants()))
+
+
+def reproduce(
+    recording: Recording,
+    config: ReproduceConfig,
+    out: Path,
+    jobs: int,
+    live: Path | None = None,
+    tick: Tick = lambda: None,
+) -> Path:
+    """Run the experiment, or what is left of it, and write the report.
+
+    Args:
+        recording: where outcomes and histograms come from.
+        config: size of the experiment.
+        out: new or empty folder, or one of the same reproduction.
+        jobs: threads.
+        live: folder of live runs to compare with, or None.
+        tick: called after each population.
+
+    Returns:
+        The report's path.
+
+    Raises:
+        RecordingError: if the recording has too few complete presentations.
+        RunFolderError: if `out` or `live` can't be used.
+    """
+    shown = _presentations(recording)
+    found = _live_runs(live, config, recording)
+    with Reproduction.open(out, config, recording_digest(recording)) as folder:
+        store = Store(out / POPULATIONS, recording, jobs)
+        rng = np.random.default_rng(config.seed)
+        study = _Study(recording, config, store, jobs, rng, tick)
+        results = _results(study, shown, found)
+        _write_figures(folder, results)
+        folder.write_table(STATEMENTS, statements.table(results.judgements))
+        folder.write_table(ABLATION, ablation.table(results.rows))
+        folder.write(REPORT, report(results).encode())
+    return out / REPORT
+
+
+def _results(study: _Study, shown: tuple[int, int], found: FoundRuns | None) -> Results:
+    config, recording = study.config, study.recording
+    scenarios, settings = config.scenarios, config.populations(config.runs)
+    speed = measured_speed(recording, scenarios[0], settings[0])
+    kept = study.learned(config.runs)
+    sample = study.sampled(kept)
+    n_actions = sum(int(one.population.n_actions.sum(dtype=np.int64)) for one in kept)
+    seconds = sum(one.seconds for one in kept)
+    return Results(
+        config=config,
+        presentations=shown,
+        optimum=optimum(recording, max_actions=settings[0].max_actions),
+        sample=sample,
+        judgements=statements.judge(sample),
+        rows=list(_rows(study)),
+        live=_compared(found, kept[0], study.rng),
+        timing=Timing(seconds, study.jobs, n_actions, speed),
+    )
+
+
+def _rows(study: _Study) -> Iterator[ablation.Row]:
+    default = PopulationSettings()
+    for variant in ablation.variants():
+        is_default = variant.settings(default) == default
+        kept = study.learned(study.config.ablation_runs, variant)
+        yield ablation.measure_row(variant, is_default, study.sampled(kept))
+
+
+def _presentations(recording: Recording) -> tuple[int, int]:
+    """Complete presentations with the lid to the left, and to the right."""
+    complete = recording.complete(PopulationSettings().max_actions)
+    lids = recording.presentations.lid[complete]
+    return tuple(int((lids == side).sum()) for side in (LEFT, RIGHT))
+
+
+def _live_runs(
+    live: Path | None, config: ReproduceConfig, recording: Recording
+) -> FoundRuns | None:
+    if live is None:
+        return None
+    settings = PopulationSettings()
+    return live_check.read_live(live, config.trials, settings, recording.key.config)
+
+
+def _compared(
+    found: FoundRuns | None, recorded: Kept, rng: np.random.Generator
+) -> LiveCheck | None:
+    return None if found is None else live_check.check(found, recorded.population, rng)
+
+
+def _write_figures(folder: Reproduction, results: Results) -> None:
+    cap = PopulationSettings().max_actions
+    best = results.optimum
+    made = list(pictures.published(results.sample, best, results.config, cap))
+    if results.live is not None and results.live.runs:
+        made.append(pictures.live(results.live, best, cap))
+    for picture in made:
+        folder.write_table(picture.name, picture.table)
+        folder.write(f"{picture.name}.png", picture.png)

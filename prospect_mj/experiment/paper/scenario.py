@@ -1,0 +1,86 @@
+"""What is presented in the paper's experiment, and to which learner."""
+
+from dataclasses import dataclass, field
+from typing import get_args
+
+from prospect_mj.agent.checks import check_integer, check_number
+from prospect_mj.agent.features import N_FEATURES, FeatureSettings
+from prospect_mj.agent.settings import LearnerSettings
+from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.experiment.records import ACTION_NAMES
+from prospect_mj.recording.config import LARGEST_SEED
+from prospect_mj.supervisor.supervisor import Mode, Supervisor
+from prospect_mj.task.presentation import Orientation
+
+_MOST = 100_000
+_MOST_ACTIONS = 100
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """What the trials of a run present (Wheeler, Fagg and Grupen 2002, section 3.2)."""
+
+    trials: int = 1000
+    """All trials of a run, those of the pretraining included."""
+    pretrain: int = 0
+    """Of these, the first ones show one orientation only; 0: no dominant hand."""
+    dominant: Orientation = "right"
+    """The hand that the pretraining makes dominant: the lid lies on its side."""
+
+    def __post_init__(self) -> None:
+        """Refuse numbers and choices that make no run."""
+        check_integer("trials", self.trials, 1, _MOST)
+        check_integer("pretraining trials", self.pretrain, 0, self.trials)
+        if self.dominant not in get_args(Orientation):
+            raise InvalidChoice("dominant hand", self.dominant, get_args(Orientation))
+
+
+@dataclass(frozen=True)
+class PopulationSettings:
+    """How many learners there are, and how they learn."""
+
+    runs: int = 1000
+    """Learners, each of which begins anew."""
+    seed: int = 0
+    """Equal seeds give equal populations; run k is the same in all sizes of them."""
+    learner: LearnerSettings = field(default_factory=LearnerSettings)
+    """The learner."""
+    features: FeatureSettings = field(default_factory=FeatureSettings)
+    """The state features."""
+    supervisor: Mode = "none"
+    """Which actions the learner may choose from."""
+    shaping: tuple[str, ...] = ()
+    """Actions that it may not choose in the first trials, as `<action>:<trials>`."""
+    max_actions: int = 10
+    """A trial is cut off after this many actions."""
+    bootstrap_at_truncation: bool = True
+    """Whether the last action of a cut-off trial counts the value of what follows."""
+    initial_sd: float = 0.0
+    """Standard deviation of the normal distribution, of mean zero, that every initial
+    weight is drawn from [actions]; 0: all weights are zero."""
+    image_noise: float = 0.0
+    """Standard deviation of normal noise [1] that every trial adds to each bin of the
+    scaled histogram. A bin falls to zero at most; the noisy histogram is then scaled
+    like any other."""
+    presentations: int | None = None
+    """How many recorded presentations of each side are shown, the first ones; None:
+    all that are complete."""
+
+    def __post_init__(self) -> None:
+        """Refuse numbers and choices that make no population."""
+        check_integer("runs", self.runs, 1, _MOST)
+        check_integer("seed", self.seed, 0, LARGEST_SEED)
+        Supervisor(self.supervisor, self.shaping)
+        check_integer("actions per trial", self.max_actions, 1, _MOST_ACTIONS)
+        if not isinstance(self.bootstrap_at_truncation, bool):
+            raise InvalidValue(
+                "bootstrap at truncation", self.bootstrap_at_truncation, "true or false"
+            )
+        check_number("deviation of initial weights", self.initial_sd, 0, 1000)
+        check_number("image noise", self.image_noise, 0, 10)
+        if self.presentations is not None:
+            check_integer("presentations of a side", self.presentations, 1, _MOST)
+        n_actions = len(ACTION_NAMES)
+        check_integer("number of actions", self.learner.n_actions, n_actions, n_actions)
+        sizes = self.learner.n_features, N_FEATURES, N_FEATURES
+        check_integer("number of features", *sizes)

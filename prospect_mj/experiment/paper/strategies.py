@@ -1,0 +1,92 @@
+"""The strategies of a trial, as Wheeler, Fagg and Grupen (2002) tell them apart.
+
+Section 2, of the child study that section 3.2 takes them over from: "Late Correction
+Strategy: The child used an initial nonradial grip and placed the handle of the spoon in
+the mouth, then made a correction"; "Early Correction Strategy: The child used an
+initial nonradial grip, then made a correction without first placing the handle in the
+mouth"; "Optimal Strategy: The child used an initial radial grip and obtained the
+applesauce without need for corrective action." The radial grip is here the grasp by the
+hand on the lid's side, and the handle in the mouth is an insertion that failed.
+"""
+
+from enum import IntEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from prospect_mj.actions.action import Action
+from prospect_mj.recording.arrays import LEFT, RIGHT
+from prospect_mj.task.presentation import Orientation
+
+Booleans = NDArray[np.bool_]
+
+_GRASPING_HAND = {Action.GRASP_LEFT: LEFT, Action.GRASP_RIGHT: RIGHT}
+_SWAPS = Action.SWAP_LEFT_TO_RIGHT, Action.SWAP_RIGHT_TO_LEFT
+_INSERTIONS = Action.INSERT_LEFT, Action.INSERT_RIGHT
+
+
+class Strategy(IntEnum):
+    """How the jar came to be inserted."""
+
+    OPTIMAL = 0
+    """First grasped by the right hand, and not passed on."""
+    EARLY = 1
+    """First grasped by the wrong hand; no insertion failed."""
+    LATE = 2
+    """First grasped by the wrong hand; an insertion failed."""
+    OTHER = 3
+    """Anything else, an unsolved trial among it."""
+
+
+def classify(
+    lid: NDArray[np.int8],
+    actions: NDArray[np.int8],
+    executed: Booleans,
+    inserted: Booleans,
+) -> NDArray[np.int8]:
+    """The strategy of every trial.
+
+    Only executed actions count. The first grasp is the first one that was executed,
+    whatever came of it; an insertion failed where it was executed and the jar doesn't
+    stand in the receptacle.
+
+    Args:
+        lid: (...), the lid's side, LEFT or RIGHT.
+        actions: (..., max_actions); after the last one anything.
+        executed: (..., max_actions), whether an action was run; false after the last.
+        inserted: (..., max_actions), whether it left the jar in the receptacle.
+
+    Returns:
+        (...), numbers of `Strategy`.
+    """
+    solved = (executed & inserted).any(axis=-1)
+    swapped = (executed & np.isin(actions, _SWAPS)).any(axis=-1)
+    failed = (executed & np.isin(actions, _INSERTIONS) & ~inserted).any(axis=-1)
+    hand = _first_hand(actions, executed)
+    wrong = solved & (hand == LEFT + RIGHT - np.asarray(lid))
+    right = solved & (hand == lid) & ~swapped
+    kinds = [right, wrong & failed, wrong]
+    names = [Strategy.OPTIMAL, Strategy.LATE, Strategy.EARLY]
+    return np.select(kinds, names, Strategy.OTHER).astype(np.int8)
+
+
+def _first_hand(actions: NDArray[np.int8], executed: Booleans) -> NDArray[np.int64]:
+    """(...): the hand of the first executed grasp; 0 where there was none."""
+    hands = np.zeros(actions.shape, np.int64)
+    for grasp, hand in _GRASPING_HAND.items():
+        hands[executed & (actions == grasp)] = hand
+    first = (hands != 0).argmax(axis=-1)[..., None]
+    return np.take_along_axis(hands, first, axis=-1)[..., 0]
+
+
+def easy(lid: NDArray[np.int8], dominant: Orientation) -> Booleans:
+    """Whether a trial is easy: the lid lies on the dominant hand's side.
+
+    Args:
+        lid: (...), LEFT or RIGHT.
+        dominant: the hand that the pretraining made dominant.
+
+    Returns:
+        (...); the trials that are not are the paper's difficult ones.
+    """
+    return np.asarray(lid) == (LEFT if dominant == "left" else RIGHT)

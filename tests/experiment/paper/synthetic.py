@@ -1,0 +1,48 @@
+"""Populations made by hand, of which everything is known."""
+
+import numpy as np
+
+from prospect_mj.experiment.paper.population import Population
+from prospect_mj.experiment.paper.scenario import Scenario
+from prospect_mj.experiment.paper.strategies import Strategy
+from prospect_mj.recording.arrays import LEFT, RIGHT
+
+ACTIONS = np.array([2, 3, 4, 10], np.int8)
+"""Actions of a trial with each strategy; what fits none is cut off here."""
+
+
+def of_strategies(strategy, lid, scenario):
+    """The population whose trials (runs, trials) had these strategies."""
+    strategy = np.asarray(strategy, np.int8)
+    solved = strategy != Strategy.OTHER
+    lid = np.broadcast_to(np.asarray(lid, np.int8), strategy.shape)
+    return Population(scenario, lid, ACTIONS[strategy], solved, strategy)
+
+
+def improving(runs, scenario, seed, speed=1.0):
+    """Learners whose chance of the optimal strategy rises with every trial.
+
+    In pretraining the lid lies to the right; later the right hand is chosen less at
+    first, as in the paper. Of the rest a half is cut off, and a quarter each corrected.
+    """
+    rng = np.random.default_rng(seed)
+    trial, start = np.arange(scenario.trials), scenario.pretrain
+    optimal = np.clip(speed * trial / 500, 0, 0.97)
+    if start:
+        optimal = np.clip(trial / 230, 0, 0.97)
+        later = np.clip(0.3 + speed * (trial - start) / 500, 0, 0.97)
+        optimal = np.where(trial < start, optimal, later)
+    rest = (1 - optimal)[:, None] * [0.25, 0.25, 0.5]
+    ends = np.cumsum(np.column_stack([optimal, rest]), axis=1)
+    drawn = rng.random((runs, scenario.trials, 1))
+    lid = rng.choice([LEFT, RIGHT], (runs, scenario.trials))
+    lid[:, :start] = RIGHT
+    return of_strategies((drawn > ends[:, :3]).sum(axis=2), lid, scenario)
+
+
+def pair(runs=40, trials=1000, seed=0):
+    """Both scenarios."""
+    return (
+        improving(runs, Scenario(trials), seed),
+        improving(runs, Scenario(trials, 400), seed + 1),
+    )

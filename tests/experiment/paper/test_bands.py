@@ -1,0 +1,84 @@
+import numpy as np
+import pytest
+from synthetic import of_strategies, pair
+
+from prospect_mj.experiment.paper.bands import RunCounts, band, interval
+from prospect_mj.experiment.paper.scenario import Scenario
+from prospect_mj.experiment.paper.strategies import Strategy
+from prospect_mj.recording.arrays import LEFT, RIGHT
+
+OPTIMAL, EARLY, LATE, OTHER = Strategy
+
+
+def by_hand():
+    """Two runs of 24 trials, the first ten of them easy: the lid to the right."""
+    first = [OPTIMAL] * 6 + [OTHER] * 4 + [LATE] * 10 + [OTHER] * 4
+    second = [EARLY] * 10 + [OPTIMAL] * 5 + [LATE] * 5 + [OTHER] * 4
+    lid = [RIGHT] * 10 + [RIGHT] * 2 + [LEFT] * 8 + [LEFT] * 4
+    return of_strategies([first, second], lid, Scenario(24, 10))
+
+
+def test_counts_of_a_population_by_hand():
+    mean = RunCounts.of(by_hand()).mean()
+    assert mean.switch == 1
+    # (6 * 2 + 4 * 10 + 10 * 3) / 20, (10 * 4 + 5 * 2 + 5 * 4) / 20; four trials left.
+    np.testing.assert_allclose(mean.actions, [[4.1, 3.5]])
+    np.testing.assert_allclose(mean.unsolved, [[0.2, 0.0]])
+    np.testing.assert_allclose(mean.easy[0, :, 0], [6 / 20, 10 / 20, 0, 4 / 20])
+    np.testing.assert_allclose(mean.easy[0, :, 1], [2 / 4, 0, 2 / 4, 0])
+    np.testing.assert_allclose(mean.difficult[0, :, 1], [3 / 16, 0, 13 / 16, 0])
+    assert np.isnan(mean.difficult[0, :, 0]).all()
+
+
+def test_shares_of_all_strategies_add_up_to_one():
+    curves = RunCounts.of(pair()[1]).resampled(np.random.default_rng(0), 50)
+    np.testing.assert_allclose(curves.easy.sum(axis=1), 1)
+    np.testing.assert_allclose(curves.difficult[..., 40:].sum(axis=1), 1)
+    assert np.isnan(curves.difficult[..., :40]).all()
+
+
+def test_resamples_spread_as_the_mean_of_so_many_runs_does():
+    population = pair(runs=200)[0]
+    counts = RunCounts.of(population)
+    many = counts.resampled(np.random.default_rng(1), 4000).actions
+    standard_error = counts.actions.std(axis=0) / np.sqrt(200)
+    np.testing.assert_allclose(many.mean(axis=0), counts.mean().actions[0], rtol=0.01)
+    np.testing.assert_allclose(many.std(axis=0), standard_error, rtol=0.06)
+
+
+def test_runs_that_are_all_alike_leave_no_doubt():
+    strategy = np.full((5, 20), LATE)
+    counts = RunCounts.of(of_strategies(strategy, RIGHT, Scenario(20)))
+    low, high = band(counts.resampled(np.random.default_rng(0), 100).actions)
+    np.testing.assert_allclose([low, high], 4)
+
+
+def test_intervals_cover_the_truth_about_as_often_as_they_say():
+    rng, covered = np.random.default_rng(2), 0
+    for _ in range(200):
+        strategy = np.where(rng.random((60, 10)) < 0.7, OPTIMAL, OTHER)
+        counts = RunCounts.of(of_strategies(strategy, RIGHT, Scenario(10)))
+        low, high = band(counts.resampled(rng, 400).actions[:, 0])
+        covered += low <= 0.7 * 2 + 0.3 * 10 <= high
+    # Binomial: 190 expected, standard deviation 3.
+    assert 178 <= covered <= 199
+
+
+def test_an_interval_may_reach_to_infinity():
+    resampled = np.array([10.0] * 90 + [np.inf] * 10)
+    assert interval(10.0, resampled) == (10.0, 10.0, np.inf)
+
+
+def test_the_same_seed_gives_the_same_band():
+    counts = RunCounts.of(pair()[0])
+    once, again = (counts.resampled(np.random.default_rng(3), 20) for _ in range(2))
+    np.testing.assert_array_equal(once.actions, again.actions)
+    other = counts.resampled(np.random.default_rng(4), 20)
+    assert (once.actions != other.actions).any()
+
+
+@pytest.mark.parametrize("n_trials", [9, 10, 11])
+def test_only_full_sets_count(n_trials):
+    strategy = np.full((2, n_trials), OPTIMAL)
+    counts = RunCounts.of(of_strategies(strategy, RIGHT, Scenario(n_trials)))
+    assert counts.actions.shape == (2, n_trials // 10)

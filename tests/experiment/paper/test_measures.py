@@ -1,0 +1,167 @@
+import numpy as np
+import pytest
+from synthetic import pair
+
+from prospect_mj.experiment.learning_curve import near_optimal_trial
+from prospect_mj.experiment.paper import measures, statements
+from prospect_mj.experiment.paper.bands import Curves
+from prospect_mj.experiment.paper.sample import (
+    Pair,
+    Sample,
+    definition,
+    estimate,
+    title,
+)
+
+SWITCH = 4
+INF = np.inf
+
+
+def curves(actions, easy=None, difficult=None, unsolved=None, switch=SWITCH):
+    """Curves of one resample; `easy`, `difficult`: (4, s) shares."""
+    n = len(actions)
+    none = np.zeros((4, n))
+    return Curves(
+        np.array([actions], float),
+        np.array([np.zeros(n) if unsolved is None else unsolved], float),
+        np.array([none if easy is None else easy], float),
+        np.array([none if difficult is None else difficult], float),
+        switch,
+    )
+
+
+def on_actions(baseline, dominant=(9, 9, 2, 2, 6, 2)):
+    return Pair(curves(baseline, switch=0), curves(dominant))
+
+
+def on_shares(easy=None, difficult=None):
+    n = len(easy[0] if easy is not None else difficult[0])
+    return Pair(curves([2] * n, switch=0), curves([2] * n, easy, difficult))
+
+
+@pytest.mark.parametrize(
+    ("actions", "trial"),
+    [
+        ([9, 3, 2.4, 2.2], 20),
+        ([9, 2.3, 2.41, 2.2], 30),
+        ([2.0, 2.0], 0),
+        ([9, 2.0, 2.5], INF),
+    ],
+)
+def test_near_optimal_is_reached_where_it_stays(actions, trial):
+    assert measures.near_optimal(on_actions(actions)) == [trial]
+
+
+def test_settling_agrees_with_the_studies_measure_without_smoothing():
+    rng = np.random.default_rng(0)
+    random = np.linspace(3.5, 2.0, 40) + 0.3 * rng.standard_normal((200, 40))
+    wanted = [near_optimal_trial(curve, smoothing=1) for curve in random]
+    wanted = [INF if trial is None else trial for trial in wanted]
+    np.testing.assert_array_equal(10 * measures.settled(random, 2.4), wanted)
+    assert INF in wanted
+    assert len(set(wanted)) > 5
+
+
+def test_pretraining_is_looked_at_alone():
+    pair = on_actions([9] * 6, [9, 2.5, 2.4, 2.2, 9, 9])
+    assert measures.pretraining_near_optimal(pair) == [20]
+    late = on_actions([9] * 6, [9, 9, 9, 9, 2, 2])
+    assert measures.pretraining_near_optimal(late) == [INF]
+
+
+def test_the_peak_is_sought_in_thirty_trials():
+    pair = on_actions([9] * 9, [9.5, 9, 9, 2, 5, 6.1, 6, 8, 8])
+    assert measures.peak_after_switch(pair) == [6.1]
+
+
+def test_first_unsolved_is_that_of_the_first_ten_trials_of_the_baseline():
+    pair = Pair(curves([9] * 5, unsolved=[0.7, 0.1, 0, 0, 0]), curves([9] * 5))
+    assert measures.first_unsolved(pair) == [0.7]
+
+
+def test_a_fall_at_half_the_speed_takes_twice_as_long():
+    fast = [8, 6, 4, 2, 2, 2]
+    slow = [9, 9, 9, 9, 8, 7, 6, 5, 4, 3, 2, 2]
+    # Settled at 5 in set 2 and at 3 in set 3; after the switch in sets 3 and 5.
+    assert measures.fall_ratio(on_actions(fast, slow)) == [2.0]
+    assert measures.fall_ratio(on_actions(fast, [9] * SWITCH + fast)) == [1.0]
+    assert measures.fall_ratio(on_actions(fast, [9] * 12)) == [INF]
+
+
+def test_relearning_is_counted_from_the_first_random_orientation():
+    pair = on_actions([9, 9, 9, 9, 2], [9, 2, 2, 2, 6, 2])
+    assert measures.relearning_ratio(pair) == [0.25]
+    assert measures.relearning_ratio(on_actions([9, 9], [2] * 6)) == [INF]
+
+
+def easy(optimal):
+    return [optimal, *np.zeros((3, len(optimal)))]
+
+
+def test_the_drop_is_from_before_the_switch_to_the_lowest_set_after_it():
+    pair = on_shares(easy([0.1, 0.9, 0.9, 0.9, 0.8, 0.5, 0.7, 0.85]))
+    np.testing.assert_allclose(measures.easy_drop(pair), [0.7 - 0.5])
+    assert measures.easy_low_trial(pair) == [50]
+    # Of the last hundred trials there are forty here: 0.7125 on average.
+    np.testing.assert_allclose(measures.easy_regained(pair), [(0.7125 - 0.5) / 0.2])
+
+
+def test_no_drop_regains_nothing_finite():
+    assert measures.easy_regained(on_shares(easy([0.5] * 8))) == [INF]
+
+
+def difficult(optimal, early, late):
+    rest = 1 - np.sum([optimal, early, late], axis=0)
+    shares = np.array([optimal, early, late, rest], float)
+    shares[:, :SWITCH] = np.nan
+    return shares
+
+
+def test_the_margin_is_the_smallest_lead_after_the_switch():
+    nothing = [0] * SWITCH
+    shares = difficult(
+        [*nothing, 0.1, 0.4, 0.9], [*nothing, 0, 0.1, 0.05], [*nothing, 0.02, 0.2, 0]
+    )
+    margin = measures.correction_margin(on_shares(difficult=shares))
+    np.testing.assert_allclose(margin, [0.1 - 0.02])
+    dominated = difficult([*nothing, 0.1], [*nothing, 0.1], [*nothing, 0.2])
+    margin = measures.correction_margin(on_shares(difficult=dominated))
+    np.testing.assert_allclose(margin, [-0.2])
+
+
+@pytest.mark.parametrize(
+    ("early", "late", "gone"),
+    [
+        ([0.1, 0.02, 0.0], [0.2, 0.1, 0.01], (50, 60, 10)),
+        ([0.1, 0.01, 0.1], [0.2, 0.0, 0.0], (INF, 50, -INF)),
+        ([0.0, 0.0, 0.0], [0.1, 0.1, 0.1], (0, INF, INF)),
+        ([0.1, 0.1, 0.1], [0.1, 0.1, 0.1], (INF, INF, 0)),
+    ],
+)
+def test_a_correction_is_gone_where_it_stays_away(early, late, gone):
+    nothing = [0] * SWITCH
+    pair = on_shares(
+        difficult=difficult([*nothing, 0, 0, 0], [*nothing, *early], [*nothing, *late])
+    )
+    assert measures.early_gone(pair) == [gone[0]]
+    assert measures.late_gone(pair) == [gone[1]]
+    assert measures.late_outlasts_early(pair) == [gone[2]]
+
+
+ALL = [s.measure for s in statements.STATEMENTS] + [m for m, _ in statements.FURTHER]
+
+
+@pytest.fixture(scope="module")
+def sample():
+    return Sample.of(*pair(), np.random.default_rng(0))
+
+
+@pytest.mark.parametrize("measure", dict.fromkeys(ALL), ids=lambda m: m.__name__)
+def test_a_measure_has_a_name_and_one_sentence_and_an_interval(measure, sample):
+    assert title(measure)
+    assert "\n" not in definition(measure)
+    assert definition(measure).endswith(".")
+    assert ". " not in definition(measure)
+    found = estimate(measure, sample)
+    assert measure(sample.resampled).shape == (2000,)
+    assert found.low <= found.estimate <= found.high

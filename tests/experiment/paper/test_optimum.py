@@ -1,0 +1,103 @@
+"""The optimum by dynamic programming against all sequences, one by one."""
+
+from itertools import product
+
+import numpy as np
+import pytest
+from ideal_recording import clumsy, ideal, one_handed, recording, unseen
+
+from prospect_mj import paths
+from prospect_mj.errors import RecordingError
+from prospect_mj.experiment.paper.kernel import Graph
+from prospect_mj.experiment.paper.optimum import Optimum, fewest_actions, optimum
+from prospect_mj.recording.recording import Recording
+from prospect_mj.supervisor.supervisor import Supervisor
+
+
+def by_brute_force(graph, node, max_actions):
+    """Fewest actions over every sequence of the allowed ones."""
+    fewest = max_actions
+    for sequence in product(range(6), repeat=max_actions):
+        here = node
+        for taken, action in enumerate(sequence, 1):
+            if not graph.choices[-1, graph.state[here], action]:
+                break
+            here = graph.situation[graph.child[here, action]]
+            if graph.inserted[here]:
+                fewest = min(fewest, taken)
+                break
+    return fewest
+
+
+def random_graph(rng, n=14):
+    """Any node may lead to any; some actions may not be chosen."""
+    choices = rng.random((2, 3, 6)) < 0.5
+    choices[:, :, 0] = True
+    inserted = rng.random(n) < 0.15
+    inserted[0] = False
+    return Graph(
+        child=np.where(rng.random((n, 6)) < 0.3, rng.integers(n, size=(n, 6)), 0),
+        situation=np.arange(n),
+        inserted=inserted,
+        holding=np.zeros(n, np.int8),
+        state=rng.integers(3, size=n),
+        choices=choices,
+    )
+
+
+def test_dynamic_programming_finds_what_brute_force_finds():
+    rng, found = np.random.default_rng(2), []
+    for _ in range(12):
+        graph = random_graph(rng)
+        fewest = fewest_actions(graph, 4)
+        assert fewest[0] == by_brute_force(graph, 0, 4)
+        found.append(fewest[0])
+    assert {2.0, 4.0} < set(found)
+
+
+@pytest.mark.parametrize(
+    ("kind", "fewest"),
+    # Without a swap only the right first grasp is left; the hand on the lid's side that
+    # can't lift the jar is handed it by the other one; a jar that isn't seen stays.
+    [(ideal, 2), (clumsy, 2), (one_handed, 3), (unseen, 6)],
+)
+def test_best_case_of_each_kind_of_presentation(kind, fewest):
+    best = optimum(recording(6, left=(kind,), right=(kind,)), max_actions=6)
+    assert best == Optimum(fewest, fewest)
+
+
+def test_mean_over_presentations_and_both_sides():
+    mixed = recording(6, left=(ideal, ideal, one_handed, one_handed), right=(unseen,))
+    best = optimum(mixed, max_actions=6)
+    assert best == Optimum(left=2.5, right=6.0)
+    assert best.mean == 4.25
+
+
+def test_a_supervisor_can_cost_nothing_where_it_forbids_the_useless_only():
+    shown = recording(6, left=(one_handed,), right=(ideal,))
+    for mode in ("safe", "productive"):
+        assert optimum(shown, Supervisor(mode), 6) == Optimum(3.0, 2.0)
+    # Its shaping counts as lifted.
+    shaped = Supervisor("none", ("swap-right-to-left:50",))
+    assert optimum(shown, shaped, 6) == Optimum(3.0, 2.0)
+
+
+def test_incomplete_presentations_are_left_out():
+    shallow = recording(3, left=(ideal,), right=(ideal,))
+    assert optimum(shallow, max_actions=3).mean == 2.0
+    with pytest.raises(RecordingError, match="complete to 4 executed actions"):
+        optimum(shallow, max_actions=4)
+
+
+def test_what_is_not_known_counts_as_nothing():
+    graph = random_graph(np.random.default_rng(0))
+    graph.child[0] = -1
+    assert fewest_actions(graph, 3)[0] == np.inf
+
+
+@pytest.mark.skipif(
+    not (paths.RECORDING / "recording.yaml").exists(),
+    reason="the recording that comes with the package is not made yet",
+)
+def test_in_real_physics_two_actions_are_always_enough():
+    assert optimum(Recording.load()) == Optimum(2.0, 2.0)

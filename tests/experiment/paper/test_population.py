@@ -1,0 +1,204 @@
+"""Many runs: their chance, their protocol, and what they learn."""
+
+from dataclasses import fields, replace
+
+import numpy as np
+import pytest
+from ideal_recording import ideal, recording
+
+from prospect_mj import paths
+from prospect_mj.agent import LearnerSettings
+from prospect_mj.errors import InvalidChoice, InvalidValue, RecordingError
+from prospect_mj.experiment.paper.plain import measured_speed, run_population_plainly
+from prospect_mj.experiment.paper.population import run_population
+from prospect_mj.experiment.paper.programme import Programme
+from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
+from prospect_mj.experiment.paper.strategies import Strategy, easy
+from prospect_mj.recording.arrays import LEFT, RIGHT
+from prospect_mj.recording.recording import Recording
+
+SMALL = PopulationSettings(runs=5, seed=3)
+
+
+@pytest.fixture(scope="module")
+def good():
+    return recording(left=(ideal,) * 4, right=(ideal,) * 3)
+
+
+def assert_equal_populations(one, other, runs=slice(None), trials=slice(None)):
+    """The first has the same in the runs and trials that the other has."""
+    for field in fields(one)[1:]:
+        first, second = getattr(one, field.name), getattr(other, field.name)
+        np.testing.assert_array_equal(first[runs, trials], second, field.name)
+
+
+def test_a_population_is_that_of_the_plain_learner(good):
+    scenario = Scenario(80, pretrain=30)
+    compiled = run_population(good, scenario, SMALL)
+    plain = run_population_plainly(good, scenario, SMALL)
+    assert_equal_populations(compiled, plain)
+    assert compiled.scenario == plain.scenario == scenario
+
+
+def test_threads_do_not_change_a_population(good):
+    alone, together = (
+        run_population(good, Scenario(50), SMALL, jobs=jobs) for jobs in (1, 3)
+    )
+    assert_equal_populations(alone, together)
+
+
+def test_a_run_is_the_same_in_a_larger_study_and_a_longer_one(good):
+    larger = run_population(good, Scenario(90), replace(SMALL, runs=8))
+    small = run_population(good, Scenario(60), SMALL)
+    assert_equal_populations(larger, small, slice(5), slice(60))
+
+
+def test_seeds_and_runs_differ(good):
+    first, other = (
+        run_population(good, Scenario(60), replace(SMALL, seed=seed)) for seed in (0, 1)
+    )
+    assert (first.n_actions != other.n_actions).any()
+    assert len(np.unique(first.n_actions, axis=0)) == SMALL.runs
+
+
+@pytest.mark.parametrize("dominant", ["left", "right"])
+def test_pretraining_shows_the_dominant_side_only(good, dominant):
+    scenario = Scenario(300, pretrain=100, dominant=dominant)
+    shown = run_population(good, scenario, SMALL)
+    is_easy = easy(shown.lid, dominant)
+    assert is_easy[:, :100].all()
+    # 1000 throws of a fair coin; 5 standard deviations.
+    assert np.mean(is_easy[:, 100:]) == pytest.approx(0.5, abs=0.08)
+    assert set(np.unique(shown.lid)) == {LEFT, RIGHT}
+
+
+def test_presentations_of_a_side_are_equally_likely(good):
+    run = Programme(good, Scenario(7000), SMALL).run(0)
+    for lid, number in ((LEFT, 4), (RIGHT, 3)):
+        roots, times = np.unique(run.trials.root[run.lid == lid], return_counts=True)
+        assert (
+            roots.tolist()
+            == good.presentations.root[good.presentations.lid == lid].tolist()
+        )
+        assert times == pytest.approx(3500 / number, rel=0.15)
+
+
+def test_pictures_are_those_of_the_presentations(good):
+    run = Programme(good, Scenario(30), SMALL).run(0)
+    shown = np.searchsorted(good.presentations.root, run.trials.root)
+    np.testing.assert_array_equal(
+        run.counts[run.trials.image], good.presentations.histogram[shown]
+    )
+    energy = np.sum(run.trials.visual**2, axis=1)
+    np.testing.assert_allclose(energy, 2.4)
+
+
+def test_chosen_presentations_are_the_first_of_each_side(good):
+    settings = replace(SMALL, presentations=2)
+    roots = Programme(good, Scenario(100), settings).run(0).trials.root
+    numbers = good.presentations.number[np.searchsorted(good.presentations.root, roots)]
+    assert set(numbers) == {0, 1}
+    with pytest.raises(RecordingError, match=r"3 presentations .* right .* not 4"):
+        Programme(good, Scenario(), replace(SMALL, presentations=4))
+
+
+def test_noise_is_as_large_as_asked_and_new_in_every_trial(good):
+    quiet = Programme(good, Scenario(400), SMALL)
+    noisy = Programme(good, Scenario(400), replace(SMALL, image_noise=0.01))
+    clean, run = quiet.run(0).trials, noisy.run(0)
+    np.testing.assert_array_equal(clean.root, run.trials.root)
+    np.testing.assert_array_equal(clean.draws, run.trials.draws)
+    added = run.counts - clean.visual[clean.image]
+    # Bins that noise would take below zero aren't asked.
+    free = clean.visual[clean.image] > 0.05
+    assert np.std(added[free]) == pytest.approx(0.01, rel=0.03)
+    assert np.mean(added[free]) == pytest.approx(0, abs=0.001)
+    assert run.counts.min() >= 0
+    assert len(np.unique(run.trials.visual, axis=0)) == 400
+    np.testing.assert_allclose(np.sum(run.trials.visual**2, axis=1), 2.4)
+
+
+def test_initial_weights_are_drawn_as_asked(good):
+    weights = Programme(good, Scenario(), replace(SMALL, initial_sd=3.0)).run(1).weights
+    assert weights.std() == pytest.approx(3, rel=0.1)
+    assert not Programme(good, Scenario(), SMALL).run(1).weights.any()
+
+
+def test_what_a_population_knows_fits_together(good):
+    known = run_population(good, Scenario(200), SMALL)
+    assert known.n_actions.dtype == known.strategy.dtype == known.lid.dtype == np.int8
+    assert (known.n_actions[~known.solved] == 10).all()
+    assert (known.strategy[~known.solved] == Strategy.OTHER).all()
+    least = {Strategy.OPTIMAL: 2, Strategy.EARLY: 3, Strategy.LATE: 4}
+    for strategy, actions in least.items():
+        used = known.strategy == strategy
+        assert known.n_actions[used].min() == actions
+
+
+def test_learners_become_prospective(good):
+    known = run_population(good, Scenario(1000), PopulationSettings(runs=20))
+    assert known.n_actions[:, :10].mean() > 7.5
+    # An exploration rate of 0.05 keeps the best policy at about 2.2.
+    assert known.n_actions[:, -100:].mean() == pytest.approx(2.2, abs=0.1)
+    assert np.mean(known.strategy[:, -100:] == Strategy.OPTIMAL) > 0.9
+
+
+def test_the_compiled_learner_is_the_faster_one(good):
+    speed = measured_speed(good, Scenario(100), SMALL, runs=3)
+    assert speed.kernel > 5 * speed.plain > 0
+
+
+@pytest.mark.skipif(
+    not (paths.RECORDING / "recording.yaml").exists(),
+    reason="the recording that comes with the package is not made yet",
+)
+def test_a_dominant_hand_misleads_at_first_in_recorded_physics():
+    scenario = Scenario(pretrain=400)
+    known = run_population(Recording.load(), scenario, PopulationSettings(runs=20))
+    is_easy = easy(known.lid, "right")[:, 400:450]
+    first = known.n_actions[:, 400:450]
+    assert known.n_actions[:, 350:400].mean() < 2.4
+    assert first[~is_easy].mean() > first[is_easy].mean() + 3
+    assert known.n_actions[:, -50:].mean() < 2.6
+
+
+@pytest.mark.parametrize(
+    ("settings", "named"),
+    [
+        ({"runs": 0}, "runs"),
+        ({"runs": 10**9}, "runs"),
+        ({"seed": -1}, "seed"),
+        ({"max_actions": 0}, "actions per trial"),
+        ({"max_actions": 101}, "actions per trial"),
+        ({"bootstrap_at_truncation": 1}, "bootstrap"),
+        ({"initial_sd": -1.0}, "initial weights"),
+        ({"image_noise": float("nan")}, "image noise"),
+        ({"presentations": 0}, "presentations"),
+        ({"learner": LearnerSettings(n_features=7)}, "features"),
+        ({"learner": LearnerSettings(n_actions=5)}, "actions"),
+        ({"shaping": ("dance:3",)}, "dance"),
+        ({"supervisor": "strict"}, "strict"),
+    ],
+)
+def test_settings_that_make_no_population_are_named(settings, named):
+    with pytest.raises((InvalidValue, InvalidChoice), match=named):
+        PopulationSettings(**settings)
+
+
+def test_scenarios_that_make_no_run_are_named(good):
+    with pytest.raises(InvalidValue, match="trials"):
+        Scenario(0)
+    with pytest.raises(InvalidValue, match="pretraining trials is 11"):
+        Scenario(10, 11)
+    with pytest.raises(InvalidChoice, match="left, right"):
+        Scenario(dominant="both")
+    with pytest.raises(InvalidValue, match="jobs"):
+        run_population(good, Scenario(10), SMALL, jobs=0)
+
+
+def test_a_recording_that_is_too_shallow_is_refused():
+    shallow = recording(4, left=(ideal,), right=(ideal,))
+    with pytest.raises(RecordingError, match="complete to 10 executed actions"):
+        run_population(shallow, Scenario(10), SMALL)
+    enough = replace(SMALL, max_actions=4)
+    assert run_population(shallow, Scenario(10), enough).n_actions.max() == 4

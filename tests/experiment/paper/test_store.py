@@ -1,0 +1,98 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from ideal_recording import ideal, recording
+
+from prospect_mj.errors import RunFolderError
+from prospect_mj.experiment.paper import store
+from prospect_mj.experiment.paper.population import run_population
+from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
+from prospect_mj.experiment.paper.store import Store, recording_digest
+
+SCENARIO, SETTINGS = Scenario(30, 10), PopulationSettings(runs=3)
+
+
+@pytest.fixture(scope="module")
+def shown():
+    return recording(left=(ideal,), right=(ideal,))
+
+
+@pytest.fixture
+def learned(monkeypatch):
+    """Populations that really learned, in order."""
+    seen = []
+
+    def run(recording, scenario, settings, jobs):
+        seen.append((scenario, settings))
+        return run_population(recording, scenario, settings, jobs)
+
+    monkeypatch.setattr(store, "run_population", run)
+    return seen
+
+
+def same(first, second):
+    return first.scenario == second.scenario and all(
+        np.array_equal(getattr(first, name), getattr(second, name))
+        and getattr(first, name).dtype == getattr(second, name).dtype
+        for name in ("lid", "n_actions", "solved", "strategy")
+    )
+
+
+def test_a_population_learns_once_and_is_read_the_same(tmp_path, shown, learned):
+    first = Store(tmp_path, shown, 1).get(SCENARIO, SETTINGS)
+    again = Store(tmp_path, shown, 2).get(SCENARIO, SETTINGS)
+    assert same(first.population, again.population)
+    assert same(first.population, run_population(shown, SCENARIO, SETTINGS))
+    assert again.seconds == first.seconds > 0
+    assert len(learned) == 1
+
+
+def test_another_scenario_setting_recording_or_learner_is_another_population(
+    tmp_path, shown, learned, monkeypatch
+):
+    kept = Store(tmp_path, shown, 1)
+    kept.get(SCENARIO, SETTINGS)
+    kept.get(Scenario(30), SETTINGS)
+    kept.get(SCENARIO, replace(SETTINGS, seed=1))
+    Store(tmp_path, recording(left=(ideal,), right=(ideal, ideal)), 1).get(
+        SCENARIO, SETTINGS
+    )
+    monkeypatch.setattr(store, "source_digest", lambda: "edited")
+    Store(tmp_path, shown, 1).get(SCENARIO, SETTINGS)
+    assert len(learned) == 5
+    assert len(list(tmp_path.glob("*[!s].parquet"))) == 5
+
+
+def population_file(folder):
+    (file,) = folder.glob("*[!s].parquet")
+    return file
+
+
+@pytest.mark.parametrize("content", [b"", b"PAR1 and no more"])
+def test_a_damaged_file_is_refused_and_left_as_it_is(tmp_path, shown, learned, content):
+    Store(tmp_path, shown, 1).get(SCENARIO, SETTINGS)
+    file = population_file(tmp_path)
+    file.write_bytes(content)
+    with pytest.raises(RunFolderError, match=f"{file.name} can't be read"):
+        Store(tmp_path, shown, 1).get(SCENARIO, SETTINGS)
+    assert file.read_bytes() == content
+    assert len(learned) == 1
+
+
+def test_a_file_of_another_population_is_refused(tmp_path, shown):
+    for seed in range(2):
+        part = Store(tmp_path / str(seed), shown, 1)
+        part.get(SCENARIO, replace(SETTINGS, seed=seed))
+    target = population_file(tmp_path / "0")
+    target.write_bytes(population_file(tmp_path / "1").read_bytes())
+    with pytest.raises(RunFolderError, match="from another study"):
+        Store(tmp_path / "0", shown, 1).get(SCENARIO, SETTINGS)
+
+
+def test_the_digest_sees_a_single_outcome(shown):
+    child = shown.nodes.child.copy()
+    child[0, 0] = child[0, 1]
+    changed = replace(shown, nodes=replace(shown.nodes, child=child))
+    assert recording_digest(changed) != recording_digest(shown)
+    assert recording_digest(shown) == recording_digest(replace(shown))

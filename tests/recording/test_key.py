@@ -1,0 +1,84 @@
+"""The key: what decides an outcome, and what has changed, in words."""
+
+from dataclasses import replace
+
+import pytest
+import yaml
+from ideal_grower import key
+
+from prospect_mj.errors import RecordingError
+from prospect_mj.recording.key import NAME, RecordingKey
+
+KEY = key()
+CHANGED = {
+    "its seed is 0, not 5": key(seed=5),
+    "its object pose is vision, not truth": key(object_pose="truth"),
+    "its gross motion is harmonic, not cartesian": key(gross_motion="cartesian"),
+    "its grid cells is 16, not 8": key(grid_cells=8),
+    "it was made with mujoco 3.17.0, not 3.18.0": replace(
+        KEY, versions={**KEY.versions, "mujoco": "3.18.0"}
+    ),
+    "it was made with mujoco 3.17.0, not None": replace(
+        KEY, versions={"numpy": "2.4.6"}
+    ),
+    "sources changed since": replace(KEY, sha256={**KEY.sha256, "sources": "ef"}),
+    "models/torso.xml changed since": replace(KEY, sha256={"sources": "cd"}),
+}
+
+
+@pytest.mark.parametrize(("words", "other"), CHANGED.items(), ids=CHANGED.keys())
+def test_every_difference_is_told_and_makes_another_digest(words, other):
+    assert KEY.differences(other) == [words]
+    assert KEY.digest != other.digest
+
+
+def test_the_machine_is_told_but_decides_nothing():
+    elsewhere = replace(KEY, machine={"system": "Plan 9"})
+    assert KEY.differences(elsewhere) == []
+    assert KEY.digest == elsewhere.digest
+    assert "Plan 9" in elsewhere.as_yaml().decode()
+
+
+def test_the_order_of_a_file_decides_nothing():
+    turned = replace(KEY, versions=dict(reversed(KEY.versions.items())))
+    assert KEY.digest == turned.digest
+
+
+@pytest.mark.parametrize("kept", [KEY, *CHANGED.values()])
+def test_a_key_comes_back_from_its_file(kept, tmp_path):
+    (tmp_path / NAME).write_bytes(kept.as_yaml())
+    back = RecordingKey.read(tmp_path)
+    assert back == kept
+    assert back.digest == kept.digest
+
+
+def edited(**changes):
+    return yaml.safe_dump({**yaml.safe_load(KEY.as_yaml()), **changes})
+
+
+DAMAGED = {
+    "empty": ("", "is not the key of a recording"),
+    "cut": (KEY.as_yaml().decode()[:60], "damaged"),
+    "no YAML": ("{", "damaged"),
+    "binary": (b"\xff\xfe\x00".decode("latin-1"), "damaged"),
+    "a list": ("- 1\n- 2\n", "is not the key of a recording"),
+    "another format": (edited(prospect_mj_recording=99), "is not the key"),
+    "absurd seed": (edited(config={**KEY.config.as_dict(), "seed": -1}), "seed is -1"),
+    "unknown setting": (edited(config={"seed": 1, "speed": 2}), "speed"),
+    "no settings": (edited(config=None), "damaged"),
+    "no digests": (edited(sha256="abc"), "damaged"),
+    "no versions": (edited(versions=None), "damaged"),
+}
+
+
+@pytest.mark.parametrize(("text", "words"), DAMAGED.values(), ids=DAMAGED.keys())
+def test_a_damaged_key_is_one_clear_line(text, words, tmp_path):
+    (tmp_path / NAME).write_text(text, "latin-1")
+    with pytest.raises(RecordingError, match=words) as refused:
+        RecordingKey.read(tmp_path)
+    assert str(tmp_path / NAME) in str(refused.value)
+
+
+def test_a_folder_without_a_key_is_no_recording(tmp_path):
+    with pytest.raises(RecordingError, match=r"is not a recording: it has no"):
+        RecordingKey.read(tmp_path)
