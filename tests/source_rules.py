@@ -30,6 +30,7 @@ CONFINED = {
     # Compiled code on disk grows stale unseen where what it calls is in another file,
     # but for the planner's: see `planning.kernel_cache`.
     "numba": ("prospect_mj/experiment/paper/kernel.py", "prospect_mj/planning/"),
+    "ray": ("prospect_mj/recording/ray_cluster.py",),
     "rerun": (),
 }
 """Library: the only places that may import it (those of a later issue: nowhere)."""

@@ -64,6 +64,29 @@ def parse(
         raise BadOptions(_first_section(drawn.getvalue())) from None
 
 
+def main(
+    command: Callable[[_Options], None],
+    default: _Options,
+    prog: str,
+    argv: Sequence[str] | None = None,
+    interrupted: str = "interrupted",
+) -> int:
+    """Parse a command line and do what it says.
+
+    Args:
+        command: what to run with the options.
+        default: values of the options that are not given.
+        prog: the program's name in the help.
+        argv: the arguments; None for those of the process.
+        interrupted: what to tell a user who stops it.
+
+    Returns:
+        The exit code; see `run`.
+    """
+    given = sys.argv[1:] if argv is None else argv
+    return run(lambda: command(parse(type(default), given, default, prog)), interrupted)
+
+
 def run(command: Callable[[], None], interrupted: str = "interrupted") -> int:
     """Run a command; failures print one line on stderr.
 

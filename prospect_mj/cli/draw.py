@@ -1,6 +1,5 @@
 """The command line of the scripts that draw one picture."""
 
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -31,15 +30,13 @@ def main(picture: Callable[[], bytes], out: Path, prog: str) -> int:
         prog: the script's name.
 
     Returns:
-        The exit code: 0, 2 for input that can't be used, 1 for any other failure.
+        The exit code; see `command_line.run`.
     """
 
-    def draw() -> None:
-        argv, default = sys.argv[1:], DrawOptions(out)
-        options = command_line.parse(DrawOptions, argv, default, prog)
+    def draw(options: DrawOptions) -> None:
         content = picture()
         options.out.parent.mkdir(parents=True, exist_ok=True)
         options.out.write_bytes(content)
         print(f"wrote {options.out}")
 
-    return command_line.run(draw)
+    return command_line.main(draw, DrawOptions(out), prog)

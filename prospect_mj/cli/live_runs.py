@@ -1,6 +1,5 @@
 """The command line that makes runs on live physics, to compare recorded ones with."""
 
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -40,14 +39,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     Returns:
         The exit code; see `command_line.run`.
     """
-    arguments = sys.argv[1:] if argv is None else argv
-    return command_line.run(
-        lambda: _make(arguments), interrupted="interrupted: finished trials are kept"
-    )
+    words = "interrupted: finished trials are kept"
+    return command_line.main(_make, LiveOptions(), "live_runs.py", argv, words)
 
 
-def _make(argv: Sequence[str]) -> None:
-    options = command_line.parse(LiveOptions, argv, LiveOptions(), "live_runs.py")
+def _make(options: LiveOptions) -> None:
     gl.require_gl()
     total = options.wanted.runs
     with tqdm(total=total, unit="run", dynamic_ncols=True, disable=None) as bar:

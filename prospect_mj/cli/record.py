@@ -1,6 +1,5 @@
 """The command line that grows a recording."""
 
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -46,14 +45,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     Returns:
         The exit code; see `command_line.run`.
     """
-    arguments = sys.argv[1:] if argv is None else argv
-    return command_line.run(
-        lambda: _record(arguments), interrupted="interrupted: what was recorded is kept"
-    )
+    words = "interrupted: what was recorded is kept"
+    return command_line.main(_record, RecordOptions(), "record.py", argv, words)
 
 
-def _record(argv: Sequence[str]) -> None:
-    options = command_line.parse(RecordOptions, argv, RecordOptions(), "record.py")
+def _record(options: RecordOptions) -> None:
     if options.pack is not None:
         files.check_free_to_pack(options.pack, options.out)
     gl.require_gl()

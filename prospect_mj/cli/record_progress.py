@@ -1,15 +1,14 @@
 """How far a recording has grown: a bar on a terminal, else a line for each tree."""
 
 import sys
-from types import TracebackType
-from typing import Self
 
 from tqdm import tqdm
 
+from prospect_mj.closing import Closing
 from prospect_mj.recording.growth import Growth
 
 
-class RecordProgress:
+class RecordProgress(Closing):
     """Tells on stderr how much is recorded, and how long the rest will take."""
 
     def __init__(self, growth: Growth) -> None:
@@ -39,15 +38,6 @@ class RecordProgress:
     def _trees(self) -> str:
         return f"{self._growth.n_complete} of {self._growth.n_trees} trees"
 
-    def __enter__(self) -> Self:
-        """Return the bar."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
         """Leave the bar as it is on the terminal."""
         self._bar.close()

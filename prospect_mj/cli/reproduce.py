@@ -1,7 +1,5 @@
 """The command line of the paper's experiment."""
 
-import sys
-import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -50,18 +48,15 @@ def main(argv: Sequence[str] | None = None) -> int:
     Returns:
         The exit code; see `command_line.run`.
     """
-    arguments = sys.argv[1:] if argv is None else argv
-    return command_line.run(
-        lambda: _reproduce(arguments),
-        interrupted="interrupted: finished populations are kept",
+    words = "interrupted: finished populations are kept"
+    return command_line.main(
+        _reproduce, ReproduceOptions(), "reproduce.py", argv, words
     )
 
 
-def _reproduce(argv: Sequence[str]) -> None:
-    default = ReproduceOptions()
-    options = command_line.parse(ReproduceOptions, argv, default, "reproduce.py")
+def _reproduce(options: ReproduceOptions) -> None:
     recording = Recording.load(options.recording)
-    _warn(recording)
+    recording.warn_if_foreign()
     with tqdm(
         total=n_steps(), unit="population", dynamic_ncols=True, disable=None
     ) as bar:
@@ -74,12 +69,3 @@ def _reproduce(argv: Sequence[str]) -> None:
             bar.update,
         )
     print(f"wrote {path}")
-
-
-def _warn(recording: Recording) -> None:
-    """Say in a line what is not as it was when the recording was made."""
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        recording.warn_if_foreign()
-    for warning in caught:
-        print(f"warning: {warning.message}", file=sys.stderr)

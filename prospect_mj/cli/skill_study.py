@@ -1,13 +1,12 @@
 """The command line of the study of the six skills."""
 
-import sys
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
 
 from prospect_mj.cli import command_line
 from prospect_mj.errors import InvalidValue
+from prospect_mj.recording.config import GrossMotion
 from prospect_mj.sim import gl
 
 
@@ -19,7 +18,7 @@ class StudyOptions:
     """Jittered presentations per side of the lid."""
     episodes: int = 200
     """Of a uniformly random policy, every physics step of which is audited."""
-    gross_motion: Literal["harmonic", "cartesian"] = "harmonic"
+    gross_motion: GrossMotion = "harmonic"
     """How large movements go."""
     jobs: int = 2
     """Processes."""
@@ -40,19 +39,15 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run the study as the command line says, and print its tables.
 
     Returns:
-        The exit code: 0, 2 for input that can't be used, 1 for any other failure.
+        The exit code; see `command_line.run`.
     """
-    arguments = sys.argv[1:] if argv is None else argv
+    return command_line.main(_study, StudyOptions(), "skill_study.py", argv)
 
-    def study() -> None:
-        options = command_line.parse(
-            StudyOptions, arguments, StudyOptions(), "skill_study.py"
-        )
-        gl.require_gl()
-        print(_skills(options))
-        print(_episodes(options))
 
-    return command_line.run(study)
+def _study(options: StudyOptions) -> None:
+    gl.require_gl()
+    print(_skills(options))
+    print(_episodes(options))
 
 
 def _skills(options: StudyOptions) -> str:

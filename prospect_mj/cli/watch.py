@@ -52,17 +52,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Show what the command line asks for.
 
     Returns:
-        The exit code: 0, 2 for input that can't be used, 1 for any other failure.
+        The exit code; see `command_line.run`.
     """
-    arguments = sys.argv[1:] if argv is None else argv
-
-    def watch() -> None:
-        options = command_line.parse(
-            WatchOptions, arguments, WatchOptions(), "watch.py"
-        )
-        _watch(options)
-
-    return command_line.run(watch)
+    return command_line.main(_watch, WatchOptions(), "watch.py", argv)
 
 
 def _watch(options: WatchOptions) -> None:

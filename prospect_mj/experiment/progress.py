@@ -1,12 +1,11 @@
 """How far a run is: a bar on a terminal, else a line now and then."""
 
 import sys
-from types import TracebackType
-from typing import Self
 
 import numpy as np
 from tqdm import tqdm
 
+from prospect_mj.closing import Closing
 from prospect_mj.experiment.learning_curve import WINDOW
 from prospect_mj.experiment.run_folder import RunFolder
 
@@ -14,7 +13,7 @@ LINE_EVERY = 100
 """Trials between two lines."""
 
 
-class Progress:
+class Progress(Closing):
     """Tells on stderr how far the run is and how well the learner did lately."""
 
     def __init__(self, folder: RunFolder) -> None:
@@ -37,16 +36,7 @@ class Progress:
             done = f"trial {folder.n_trials} of {folder.config.trials}"
             print(f"{done}: {_recent_success(folder)}", file=sys.stderr, flush=True)
 
-    def __enter__(self) -> Self:
-        """Return the bar."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
         """Leave the bar as it is on the terminal."""
         self._bar.close()
 
