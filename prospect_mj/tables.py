@@ -20,7 +20,7 @@ def parquet(table: pa.Table, origin: str, compression: str = "snappy") -> bytes:
     """Encode `table`, marked with what it belongs to; equal tables give equal bytes."""
     stream = io.BytesIO()
     marked = table.replace_schema_metadata({_ORIGIN: origin.encode()})
-    pq.write_table(marked, stream, compression=compression)
+    pq.write_table(marked, stream, compression=compression, write_page_checksum=True)
     return stream.getvalue()
 
 
@@ -37,7 +37,7 @@ def read(path: Path, schema: pa.Schema, origin: str, of: str) -> pa.Table:
         ForeignTable: if it has other columns or another mark.
     """
     # As a file of its own: in a folder called a=b pyarrow would see a column.
-    table = pq.ParquetFile(path).read()
+    table = pq.ParquetFile(path, page_checksum_verification=True).read()
     if table.schema != schema:
         raise ForeignTable(f"{path} has other columns than this version writes")
     if (table.schema.metadata or {}).get(_ORIGIN) != origin.encode():

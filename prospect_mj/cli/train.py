@@ -19,7 +19,7 @@ from prospect_mj.experiment.run_folder import read_config
 
 @dataclass(frozen=True)
 class TrainOptions:
-    """Train the Q-learner on live physics and write a run folder."""
+    """Train the Q-learner on live or recorded physics and write a run folder."""
 
     config: Annotated[TrainConfig, tyro.conf.arg(name="")] = field(
         default_factory=TrainConfig

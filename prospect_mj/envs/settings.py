@@ -23,7 +23,8 @@ class PickPlaceSettings:
     recording: Path | None = None
     """Folder of the recording; None is the one that comes with the package."""
     grow: bool = False
-    """Whether outcomes that the recording lacks are simulated, and added to it."""
+    """Whether outcomes that the recording lacks are simulated, and added to it; trials
+    then draw from 50 presentations of each orientation, recorded or not."""
     supervisor: Mode = "none"
     """Choice set: `none` = all six actions, `safe`, `productive`."""
     shaping: tuple[str, ...] = ()

@@ -11,6 +11,8 @@ from prospect_mj import paths
 from prospect_mj.actions.action import Action, ActionOutcome
 from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.errors import RecordingError
+from prospect_mj.recording import files
+from prospect_mj.recording import key as keys
 from prospect_mj.recording.config import RecordingConfig
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
@@ -83,7 +85,7 @@ def make_task(settings: PickPlaceSettings) -> Task:
 
 
 def _recorded(settings: PickPlaceSettings) -> Task:
-    path = settings.recording or paths.RECORDING
+    path = Path(settings.recording or paths.RECORDING)
     recording = Recording.load(path)
     _check_same(path, recording.key.config, settings)
     recording.warn_if_foreign()
@@ -113,7 +115,8 @@ def _growing(settings: PickPlaceSettings) -> Task:
     from prospect_mj.recording.lazy_task import LazyTask
 
     config = settings.recorded_as
-    if path.exists() and any(path.iterdir()):
+    files.check_folder(path)
+    if (path / keys.NAME).exists():
         stored = RecordingKey.read(path).config
         _check_same(path, stored, settings)
         config = stored

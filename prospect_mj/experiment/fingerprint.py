@@ -7,7 +7,7 @@ from prospect_mj import paths
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.recording import files
 from prospect_mj.recording.key import RecordingKey
-from prospect_mj.recording.provenance import model_digests, sha256
+from prospect_mj.recording.provenance import model_digests, sha256, source_digest
 
 CONFIGURATION = "configuration"
 
@@ -19,8 +19,8 @@ def digests(config: TrainConfig) -> dict[str, str]:
         config: the run; `trials` does not count, as a run may be made longer.
 
     Returns:
-        Hexadecimal digest of the configuration, of each model file and of recorded
-        physics, by name.
+        Hexadecimal digest of the configuration, of each model file, and of recorded
+        physics or of the sources of live physics, by name.
 
     Raises:
         MissingFile: if a model file is missing.
@@ -31,8 +31,8 @@ def digests(config: TrainConfig) -> dict[str, str]:
     plain = json.dumps(settings, sort_keys=True).encode()
     found = {CONFIGURATION: sha256(plain)} | model_digests()
     if config.physics == "recorded":
-        found |= {"recording": _recording_digest(config)}
-    return found
+        return found | {"recording": _recording_digest(config)}
+    return found | {"sources": source_digest()}
 
 
 def origin(config: TrainConfig) -> str:

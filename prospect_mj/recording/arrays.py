@@ -94,12 +94,9 @@ def predicate_states(table: pa.Table) -> tuple[PredicateStates, NDArray[np.int64
 def _state(
     left_holds: bool, left_place: str, right_holds: bool, right_place: str, jar: str
 ) -> PredicateState:
-    try:
-        left = ArmState(left_holds, Place(left_place))
-        right = ArmState(right_holds, Place(right_place))
-        return PredicateState(left, right, Jar(jar))
-    except ValueError as error:
-        raise RecordingError(f"the recording is damaged: {error}") from error
+    left = ArmState(left_holds, Place(left_place))
+    right = ArmState(right_holds, Place(right_place))
+    return PredicateState(left, right, Jar(jar))
 
 
 def nodes(table: pa.Table, states: PredicateStates, number: NDArray[np.int64]) -> Nodes:
@@ -111,7 +108,8 @@ def nodes(table: pa.Table, states: PredicateStates, number: NDArray[np.int64]) -
         number: (n,), the state of each node.
 
     Raises:
-        RecordingError: if a node's parent does not come before it.
+        RecordingError: if a node's parent does not come right before it, or a depth
+            does not fit.
     """
     parent = _global_parents(table)
     executed = _column(table, "executed")
@@ -122,6 +120,9 @@ def nodes(table: pa.Table, states: PredicateStates, number: NDArray[np.int64]) -
     led = parent >= 0
     action = table["action"].fill_null(0).to_numpy()
     child[parent[led], action[led]] = own[led]
+    depth = _column(table, "depth")
+    if (depth[led] != depth[parent[led]] + executed[led]).any():
+        raise RecordingError("the recording is damaged: a depth does not fit")
     holds = np.array([_holding(state) for state in states.states])
     return Nodes(
         child=child.astype(np.int32),
@@ -131,7 +132,7 @@ def nodes(table: pa.Table, states: PredicateStates, number: NDArray[np.int64]) -
         sim_seconds=_column(table, "sim_seconds"),
         inserted=inserted,
         holding=holds[number].astype(np.int8),
-        depth=_column(table, "depth"),
+        depth=depth,
         predicates=number,
     )
 
@@ -142,7 +143,7 @@ def _global_parents(table: pa.Table) -> NDArray[np.int64]:
     first = np.maximum.accumulate(np.where(node == 0, own, 0))
     parent = table["parent"].fill_null(UNKNOWN).to_numpy()
     if (node != own - first).any() or (parent >= node).any():
-        raise RecordingError("a tree of the recording is not whole")
+        raise RecordingError("the recording is damaged: a tree is not whole")
     return np.where(parent < 0, UNKNOWN, first + parent)
 
 

@@ -6,6 +6,7 @@ left-0000.parquet    one tree each, with the states to grow it on
 trees.parquet        many trees without states, in place of these
 """
 
+import re
 from pathlib import Path
 
 import pyarrow as pa
@@ -15,8 +16,10 @@ from prospect_mj import tables
 from prospect_mj.errors import ForeignTable, RecordingError
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.schema import SCHEMA
+from prospect_mj.task.presentation import ORIENTATIONS
 
 PACKED = "trees.parquet"
+_TREE_FILE = re.compile(rf"({'|'.join(ORIENTATIONS)})-(\d{{4,}})\.parquet")
 
 
 def tree_file(orientation: str, number: int) -> str:
@@ -25,10 +28,20 @@ def tree_file(orientation: str, number: int) -> str:
 
 
 def tree_files(folder: Path) -> list[Path]:
-    """The tables of a recording, in the order in which trees are counted."""
+    """The tables of a recording, in the order in which trees are counted.
+
+    Raises:
+        RecordingError: if the same trees may be there twice.
+    """
+    found = {path: _TREE_FILE.fullmatch(path.name) for path in folder.iterdir()}
+    named = {path: (m[1], int(m[2])) for path, m in found.items() if m is not None}
+    single = sorted(named, key=named.__getitem__)
     packed = folder / PACKED
-    single = sorted(folder.glob("[!.]*-*.parquet"))
-    return single + ([packed] if packed.exists() else [])
+    if not packed.exists():
+        return single
+    if single:
+        raise RecordingError(f"{folder} has both {PACKED} and {single[0].name}")
+    return [packed]
 
 
 def check_folder(path: Path) -> None:
@@ -84,7 +97,7 @@ def read(path: Path, key: RecordingKey) -> pa.Table:
         raise RecordingError(str(error)) from error
     except PermissionError as error:
         raise RecordingError(f"{path} can't be read: {error.strerror}") from error
-    except (OSError, ArrowException) as error:
+    except (OSError, ValueError, ArrowException) as error:
         raise RecordingError(f"{path} can't be read: it is damaged") from error
     if not table.num_rows:
         raise RecordingError(f"{path} is damaged: it holds no tree")

@@ -72,6 +72,8 @@ class GrowingRecording(Closing):
                 f"{self.path} can't grow on: {'; '.join(changed)}. Outcomes of "
                 "different physics don't mix; choose another folder"
             )
+        # The machine that it was begun on is not that of the present key.
+        self.key = stored
 
     def tree(self, orientation: Orientation, number: int) -> OutcomeTree | None:
         """The tree of a presentation as far as it has grown, or None.

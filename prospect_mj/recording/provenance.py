@@ -1,9 +1,11 @@
 """What decides an outcome besides settings: sources, model files, packages."""
 
 import ast
+import contextlib
 import hashlib
 import platform
 from collections.abc import Iterable
+from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
@@ -32,7 +34,9 @@ LAYERS = (
     "supervisor",
     "task",
 )
-"""Folders of the package below the learner: all that decides an outcome."""
+"""Folders of the package below the learner."""
+FILES = ("recording/grower.py", "recording/state_codec.py")
+"""Beside them, what decides on presentations, and where a recording goes on from."""
 
 _MODEL_FILES = {
     "models/torso.xml": paths.torso_xml,
@@ -60,16 +64,22 @@ def model_digests() -> dict[str, str]:
     return {name: sha256(path().read_bytes()) for name, path in _MODEL_FILES.items()}
 
 
+@cache
 def source_digest() -> str:
-    """SHA-256 of the package's code below the learner.
+    """SHA-256 of the code of this package that decides an outcome."""
+    return digest_of_sources(Path(paths.__file__).parent)
+
+
+def digest_of_sources(package: Path) -> str:
+    """SHA-256 of a package's code that decides an outcome.
 
     Comments, docstrings and layout don't count.
     """
-    package = Path(paths.__file__).parent
-    files = sorted(path for layer in LAYERS for path in (package / layer).rglob("*.py"))
+    found = [path for layer in LAYERS for path in (package / layer).rglob("*.py")]
+    found = sorted([*found, *(package / file for file in FILES)])
     return code_digest(
         (path.relative_to(package).as_posix(), path.read_text("utf-8"))
-        for path in files
+        for path in found
     )
 
 
@@ -84,8 +94,18 @@ def machine() -> dict[str, str]:
     return {
         "python": platform.python_version(),
         "machine": platform.machine(),
+        "processor": _processor(),
         "system": platform.system(),
     }
+
+
+def _processor() -> str:
+    """The processor's name, as far as the operating system tells."""
+    with contextlib.suppress(OSError):
+        for line in Path("/proc/cpuinfo").read_text("utf-8").splitlines():
+            if line.startswith("model name"):
+                return line.partition(":")[2].strip()
+    return platform.processor()
 
 
 def _code(text: str) -> str:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from prospect_mj import paths
 from prospect_mj.errors import RecordingError
-from prospect_mj.recording import arrays, files
+from prospect_mj.recording import arrays, files, soundness
 from prospect_mj.recording.arrays import LEFT, Nodes, PredicateStates, Presentations
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.task.presentation import ORIENTATIONS
@@ -42,6 +42,7 @@ class Recording:
         path = paths.RECORDING if path is None else path
         key = RecordingKey.read(path)
         table = files.all_trees(path, key)
+        soundness.check(table)
         states, number = arrays.predicate_states(table)
         nodes = arrays.nodes(table, states, number)
         return cls(key, nodes, arrays.presentations(table, nodes), states)

@@ -51,5 +51,8 @@ SCHEMA = pa.schema(
         "state": STATE,
     }
 )
-"""`parent`, `action` and `result` are null at a root, `shown` everywhere else, and
-`state` where nothing grows on, or where it was left out."""
+"""`state` is null where nothing grows on, or where it was left out."""
+NOT_AT_ROOTS = ("parent", "action", "result")
+"""Columns that are null at a root, and nowhere else."""
+ROOTS_ONLY = ("shown",)
+"""Columns that are null everywhere else."""

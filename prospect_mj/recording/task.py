@@ -34,8 +34,8 @@ class RecordedTask(Closing):
             that recorded are not shown.
 
     Attributes:
+        recording: as given.
         supervisor: as given.
-        node: where the trial is, or None before the first.
     """
 
     def __init__(
@@ -47,7 +47,7 @@ class RecordedTask(Closing):
             RecordingError: if there is none for a side of the lid.
         """
         self.recording, self.supervisor = recording, supervisor
-        self.node = int(recording.presentations.root[0])
+        self._node: int | None = None
         complete = recording.complete(depth)
         lids = recording.presentations.lid[complete]
         self._complete = {
@@ -64,8 +64,23 @@ class RecordedTask(Closing):
         """
         shown = self.recording.presentations
         number = rng.choice(self._complete[orientation])
-        self.node = int(shown.root[number])
+        self.begin(int(shown.root[number]))
         return RecordedLook(str(shown.look[number]), shown.histogram[number])
+
+    def begin(self, node: int) -> None:
+        """Put the trial at a node of the recording."""
+        self._node = node
+
+    @property
+    def node(self) -> int:
+        """Where the trial is.
+
+        Raises:
+            RecordingError: before the first.
+        """
+        if self._node is None:
+            raise RecordingError("no trial is under way: call reset")
+        return self._node
 
     @property
     def predicates(self) -> PredicateState:
@@ -99,7 +114,7 @@ class RecordedTask(Closing):
             )
         if led_to == self.node:
             return ActionOutcome(action, False, ActionResult.NOT_ALLOWED, 0.0)
-        self.node = int(nodes.situation[led_to])
+        self._node = int(nodes.situation[led_to])
         result = ActionResult(nodes.result[led_to])
         executed = bool(nodes.executed[led_to])
         return ActionOutcome(action, executed, result, float(nodes.sim_seconds[led_to]))

@@ -110,3 +110,16 @@ def test_live_and_grown_outcomes_are_the_same(grown):
         tree.shown.histogram, recording.presentations.histogram[0]
     )
     grower.close()
+
+
+def test_it_begins_where_another_was_killed_at_its_birth(tmp_path):
+    (tmp_path / ".recording.yaml.tmp").write_text("half of it")
+    env = make(tmp_path)
+    env.close()
+    assert (tmp_path / "recording.yaml").exists()
+
+
+def test_a_file_in_the_folders_place_is_told_of(tmp_path):
+    (tmp_path / "file").write_text("mine")
+    with pytest.raises(RecordingError, match="file is not a folder"):
+        make(tmp_path / "file")

@@ -16,7 +16,7 @@ from prospect_mj.envs.pick_place import PickPlaceEnv
 from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.errors import InvalidChoice, InvalidValue, RecordingError
 from prospect_mj.recording import provenance
-from prospect_mj.recording.arrays import LEFT
+from prospect_mj.recording.arrays import LEFT, RIGHT
 from prospect_mj.recording.recording import Recording
 from prospect_mj.task.presentation import ORIENTATIONS, PresentationSettings
 
@@ -110,7 +110,7 @@ def test_the_features_are_those_of_the_recorded_picture(env, recording):
     env.reset(seed=5, options={"orientation": "right"})
     root = env.unwrapped.task.node
     number = int(np.flatnonzero(shown.root == root)[0])
-    assert shown.lid[number] == LEFT + 1
+    assert shown.lid[number] == RIGHT
     observation, *_ = env.step(INSERT["left"])
     generator = env.unwrapped._generator
     expected = generator.generate(shown.histogram[number], "none")
@@ -197,6 +197,11 @@ def test_other_sources_or_versions_are_warned_of_and_stepped(monkeypatch):
 def test_what_can_not_be_is_refused(changes, error, words):
     with pytest.raises(error, match=words):
         PickPlaceEnv(**changes)
+
+
+def test_the_recording_may_be_named_by_a_string():
+    env = PickPlaceEnv(physics="recorded", recording=str(paths.RECORDING))
+    env.reset(seed=0)
 
 
 def test_settings_can_be_given_whole_and_by_name():

@@ -87,17 +87,14 @@ def test_a_side_without_a_complete_tree_is_refused():
         recording(table(3)).complete(4)
 
 
-@pytest.mark.parametrize(
-    ("values", "words"),
-    [
-        ({"node": 4}, "not whole"),
-        ({"parent": 2}, "not whole"),
-        ({"jar": "nowhere"}, "'nowhere' is not a valid Jar"),
-        ({"left_place": ""}, "'' is not a valid Place"),
-    ],
-)
-def test_damage_is_noticed(values, words):
-    with pytest.raises(RecordingError, match=words):
+def test_a_depth_that_does_not_fit_is_noticed():
+    with pytest.raises(RecordingError, match="a depth does not fit"):
+        recording(changed(table(), 2, depth=2))
+
+
+@pytest.mark.parametrize("values", [{"node": 4}, {"parent": 2}])
+def test_a_tree_that_is_not_whole_is_noticed(values):
+    with pytest.raises(RecordingError, match="not whole"):
         recording(changed(table(), 2, **values))
 
 
@@ -112,7 +109,7 @@ def test_an_action_that_finds_nothing_to_do_leaves_the_trial_where_it_is():
     made = recording(pa.Table.from_pylist(rows, nodes_table.schema))
     assert made.nodes.situation.tolist()[:4] == [0, 1, 2, 1]
     task = RecordedTask(made, Supervisor(), 1)
-    task.node = 1
+    task.begin(1)
     outcome = task.execute(Action.GRASP_RIGHT)
     assert (outcome.executed, outcome.result) == (False, ActionResult.NOT_SEEN)
     assert task.node == 1
@@ -120,6 +117,8 @@ def test_an_action_that_finds_nothing_to_do_leaves_the_trial_where_it_is():
 
 def test_a_trial_that_leaves_the_recording_is_told_so():
     task = RecordedTask(recording(table(2)), Supervisor(), 2)
+    with pytest.raises(RecordingError, match="call reset"):
+        task.execute(Action.GRASP_LEFT)
     task.reset("right", np.random.default_rng(0))
     task.execute(Action.GRASP_LEFT)
     task.execute(Action.INSERT_LEFT)

@@ -7,7 +7,12 @@ import pytest
 
 from prospect_mj import paths
 from prospect_mj.recording import provenance
-from prospect_mj.recording.provenance import LAYERS, code_digest
+from prospect_mj.recording.provenance import (
+    FILES,
+    LAYERS,
+    code_digest,
+    digest_of_sources,
+)
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -93,27 +98,33 @@ def test_every_layer_below_the_learner_is_among_those_that_count():
 
 
 @pytest.fixture
-def package(tmp_path, monkeypatch):
+def package(tmp_path):
     """A package with one module in each layer, of which digests are taken."""
     for layer in ("cli", "experiment", "envs", "recording", "agent", *LAYERS):
         (tmp_path / layer).mkdir()
         (tmp_path / layer / "module.py").write_text("x = 1\n")
-    monkeypatch.setattr(provenance.paths, "__file__", str(tmp_path / "paths.py"))
+    for file in FILES:
+        (tmp_path / file).write_text("x = 1\n")
     return tmp_path
 
 
-@pytest.mark.parametrize("layer", LAYERS)
-def test_a_change_below_the_learner_counts(package, layer):
-    before = provenance.source_digest()
-    (package / layer / "module.py").write_text("x = 2\n")
-    assert provenance.source_digest() != before
+@pytest.mark.parametrize("file", [*(f"{la}/module.py" for la in LAYERS), *FILES])
+def test_a_change_of_what_decides_an_outcome_counts(package, file):
+    before = digest_of_sources(package)
+    (package / file).write_text("x = 2\n")
+    assert digest_of_sources(package) != before
 
 
 @pytest.mark.parametrize("layer", ["agent", "envs", "experiment", "recording", "cli"])
 def test_a_change_of_what_decides_no_outcome_does_not_count(package, layer):
-    before = provenance.source_digest()
+    before = digest_of_sources(package)
     (package / layer / "module.py").write_text("x = 2\n")
-    assert provenance.source_digest() == before
+    assert digest_of_sources(package) == before
+
+
+def test_the_digest_of_the_sources_is_that_of_this_package():
+    package = Path(provenance.__file__).parents[1]
+    assert provenance.source_digest() == digest_of_sources(package)
 
 
 def test_model_files_count_by_their_bytes(tmp_path, monkeypatch):
