@@ -34,18 +34,30 @@ class LinearQ:
 
     Attributes:
         settings: the learner's parameters.
-        weights: theta, (n_actions, n_features); zero at the start.
+        weights: theta, (n_actions, n_features).
         n_updates: transitions learned from so far.
         origin: what the weights were learned in; saved and loaded, never interpreted.
     """
 
     def __init__(
-        self, settings: LearnerSettings | None = None, origin: str = ""
+        self,
+        settings: LearnerSettings | None = None,
+        origin: str = "",
+        rng: np.random.Generator | None = None,
     ) -> None:
-        """Start with every action value at zero."""
+        """Start without experience.
+
+        Args:
+            settings: parameters.
+            origin: what the weights will be learned in.
+            rng: draws the initial weights; None: they are zero.
+        """
         self.origin = origin
         self.settings = LearnerSettings() if settings is None else settings
-        self.weights = np.zeros((self.settings.n_actions, self.settings.n_features))
+        shape = self.settings.n_actions, self.settings.n_features
+        self.weights = np.zeros(shape)
+        if rng is not None:
+            self.weights += rng.normal(0.0, self.settings.initial_sd, shape)
         self.n_updates = 0
 
     def q_values(self, features: ArrayLike) -> NDArray[np.float64]:

@@ -17,6 +17,10 @@ class LearnerSettings:
     """Probability of choosing an action at random [1]."""
     discount: float = 0.99
     """gamma [1], per action."""
+    initial_sd: float = 0.01
+    """Standard deviation of the normal distribution, of mean zero, that initial weights
+    are drawn from [actions]. The paper says "arbitrary initial values"; 0.01 fits its
+    figures best (docs/reproduction.md)."""
     n_actions: int = 6
     """Number of actions."""
     n_features: int = 303
@@ -27,5 +31,6 @@ class LearnerSettings:
         check_number("step size", self.step_size, 0, 10, above=True)
         check_number("epsilon", self.epsilon, 0, 1)
         check_number("discount", self.discount, 0, 1)
+        check_number("deviation of initial weights", self.initial_sd, 0, 1000)
         check_integer("number of actions", self.n_actions, 1, _MOST)
         check_integer("number of features", self.n_features, 1, _MOST)

@@ -79,6 +79,7 @@ _LEARNER_OPTIONS = {
     "step_size": "alpha of the paper's update.",
     "epsilon": "Probability of an action chosen at random.",
     "discount": "gamma of the paper's update, per action.",
+    "initial_sd": "Standard deviation of the initial weights; 0: they are zero.",
 }
 
 

@@ -7,11 +7,10 @@ from functools import wraps
 from time import perf_counter
 from typing import TYPE_CHECKING, ParamSpec, TypeVar, cast
 
-from prospect_mj.agent import LinearQ
 from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.environment import make_environment
-from prospect_mj.experiment.training import run_trial
+from prospect_mj.experiment.training import new_learner, run_trial
 from prospect_mj.recording.config import GrossMotion
 
 if TYPE_CHECKING:
@@ -98,9 +97,9 @@ def bench(config: BenchConfig) -> BenchResult:
     )
     env = cast("PickPlaceEnv", make_environment(training))
     # Warms up: compiled code is loaded, or made, when it is first called.
-    run_trial(training, env, LinearQ(), config.trials)
+    run_trial(training, env, new_learner(training), config.trials)
     watch = _instrumented(env)
-    learner = LinearQ()
+    learner = new_learner(training)
     start = perf_counter()
     simulated = sum(
         run_trial(training, env, learner, trial).trial.sim_seconds

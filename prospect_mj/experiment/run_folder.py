@@ -36,7 +36,7 @@ from prospect_mj.experiment.records import (
     action_table,
     trial_table,
 )
-from prospect_mj.experiment.training import FinishedTrial
+from prospect_mj.experiment.training import FinishedTrial, new_learner
 
 CONFIG = config_file.NAME
 ACTIONS = "actions.parquet"
@@ -64,7 +64,7 @@ class RunFolder(Closing):
         self.config = config
         self._lock = lock
         self._origin = fingerprint.origin(config)
-        self.learner = LinearQ(config.learner, self._origin)
+        self.learner = new_learner(config, self._origin)
         self.actions = ACTION_SCHEMA.empty_table()
         self.trials = TRIAL_SCHEMA.empty_table()
 

@@ -42,6 +42,13 @@ def trial_seed(seed: int, trial: int, stream: Stream) -> np.random.SeedSequence:
     return np.random.SeedSequence(seed, spawn_key=(trial, int(stream)))
 
 
+def new_learner(config: TrainConfig, origin: str = "") -> LinearQ:
+    """The learner of a run before its first trial."""
+    # A key of its own, which no stream of a trial has.
+    seed = np.random.SeedSequence(config.seed, spawn_key=(0,))
+    return LinearQ(config.learner, origin, np.random.default_rng(seed))
+
+
 def presented_orientation(config: TrainConfig, trial: int) -> Orientation:
     """Side on which the lid lies: the dominant one in pretraining, then a fair coin."""
     if trial < config.pretrain:

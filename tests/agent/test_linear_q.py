@@ -29,8 +29,22 @@ class Draws:
 
 
 def test_defaults_are_the_papers():
-    assert LearnerSettings() == LearnerSettings(0.004, 0.05, 0.99, 6, 303)
+    settings = LearnerSettings()
+    assert (settings.step_size, settings.epsilon) == (0.004, 0.05)
+    assert (settings.discount, settings.n_actions) == (0.99, 6)
+    assert settings.n_features == 303
     assert not LinearQ().weights.any()
+
+
+def test_initial_weights_are_drawn_with_the_deviation_asked_for():
+    settings = LearnerSettings(initial_sd=0.3, n_features=20_000)
+    weights = LinearQ(settings, rng=np.random.default_rng(2)).weights
+    assert abs(weights.mean()) < 5 * 0.3 / np.sqrt(weights.size)
+    assert abs(weights.std() - 0.3) < 5 * 0.3 / np.sqrt(2 * weights.size)
+    again = LinearQ(settings, rng=np.random.default_rng(2)).weights
+    np.testing.assert_array_equal(again, weights)
+    zero = LearnerSettings(initial_sd=0.0)
+    assert not LinearQ(zero, rng=np.random.default_rng(2)).weights.any()
 
 
 def test_q_values_by_hand():

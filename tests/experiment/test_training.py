@@ -5,11 +5,11 @@ import pytest
 from ideal_env import IdealEnv
 from scipy.stats import binomtest
 
-from prospect_mj.agent import LinearQ
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.records import ACTION_NAMES
 from prospect_mj.experiment.training import (
     Stream,
+    new_learner,
     presented_orientation,
     run_trial,
     train,
@@ -18,7 +18,7 @@ from prospect_mj.experiment.training import (
 
 
 def run(config, **env):
-    learner = LinearQ(config.learner)
+    learner = new_learner(config)
     return list(train(config, IdealEnv(config, **env), learner)), learner
 
 
@@ -60,7 +60,7 @@ def test_streams_are_independent():
 def test_a_trial_depends_on_nothing_but_config_number_and_learner():
     config = TrainConfig(trials=8, seed=3)
     finished, _ = run(config, noise=0.1)
-    learner = LinearQ(config.learner)
+    learner = new_learner(config)
     for trial in range(8):
         alone = run_trial(config, IdealEnv(config, noise=0.1), learner, trial)
         assert alone == finished[trial]
@@ -100,7 +100,7 @@ def test_recorded_values_explain_the_choices():
 @pytest.mark.parametrize("bootstrap", [True, False])
 def test_cut_off_trial_bootstraps_only_if_asked(bootstrap):
     config = TrainConfig(trials=1, max_actions=2, bootstrap_at_truncation=bootstrap)
-    learner = LinearQ(config.learner)
+    learner = new_learner(config)
     learner.weights[:, -1] = -5.0
     (finished,) = train(config, IdealEnv(config), learner)
     assert not finished.trial.solved
@@ -108,7 +108,7 @@ def test_cut_off_trial_bootstraps_only_if_asked(bootstrap):
     learner.weights[:] = np.nan  # the recorded values must be copies
     assert np.isfinite(last.q_values).all()
 
-    again = LinearQ(config.learner)
+    again = new_learner(config)
     again.weights[:, -1] = -5.0
     errors = []
     update = again.update
@@ -131,7 +131,7 @@ class MaskedEnv(IdealEnv):
 
 def test_choice_set_of_the_state_is_kept():
     config = TrainConfig(trials=80)
-    learner = LinearQ(config.learner)
+    learner = new_learner(config)
     allowed_next = []
     update = learner.update
 
@@ -175,7 +175,7 @@ def test_shaping_is_lifted_at_its_trial():
 def test_a_shaped_trial_depends_on_its_number_and_not_on_those_before():
     config = TrainConfig(trials=8, seed=3, shaping=("grasp-left:4", "insert-left:6"))
     finished, _ = run(config, noise=0.1)
-    learner = LinearQ(config.learner)
+    learner = new_learner(config)
     for trial in range(8):
         alone = run_trial(config, IdealEnv(config, noise=0.1), learner, trial)
         assert alone == finished[trial]
