@@ -29,8 +29,12 @@ class LiveOptions:
         default_factory=LiveRuns
     )
     """The runs."""
-    workers: Annotated[Workers, tyro.conf.arg(name="")] = field(default_factory=Workers)
-    """Who does the work."""
+    jobs: int = 2
+    """Processes of this machine."""
+
+    def __post_init__(self) -> None:
+        """Refuse what can't work."""
+        Workers(self.jobs)
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -47,6 +51,6 @@ def _make(options: LiveOptions) -> None:
     gl.require_gl()
     total = options.wanted.runs
     with tqdm(total=total, unit="run", dynamic_ncols=True, disable=None) as bar:
-        for _ in live_runs.advance(options.wanted, options.out, options.workers):
+        for _ in live_runs.advance(options.wanted, options.out, options.jobs):
             bar.update()
     print(f"{options.out}: {total} runs are finished")

@@ -10,11 +10,10 @@ from tqdm import tqdm
 
 from prospect_mj.agent.checks import check_integer
 from prospect_mj.cli import command_line
+from prospect_mj.experiment.paper.population import MOST_JOBS
 from prospect_mj.experiment.paper.reproduce import n_steps, reproduce
-from prospect_mj.experiment.paper.reproduction import ReproduceConfig
+from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
 from prospect_mj.recording.recording import Recording
-
-_MOST_JOBS = 1024
 
 
 @dataclass(frozen=True)
@@ -39,7 +38,7 @@ class ReproduceOptions:
 
     def __post_init__(self) -> None:
         """Refuse what can't work."""
-        check_integer("jobs", self.jobs, 1, _MOST_JOBS)
+        check_integer("jobs", self.jobs, 1, MOST_JOBS)
 
 
 def main(argv: Sequence[str] | None = None) -> int:

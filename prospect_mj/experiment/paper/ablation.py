@@ -7,7 +7,7 @@ inside of the published range has no difference. What is never reached counts as
 at the end, so that its distance is a lower bound.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
@@ -15,14 +15,16 @@ import numpy as np
 import pyarrow as pa
 
 from prospect_mj.agent.features import FeatureSettings
+from prospect_mj.agent.settings import LearnerSettings
 from prospect_mj.experiment.learning_curve import BLOCK
-from prospect_mj.experiment.paper import measures, statements
+from prospect_mj.experiment.paper import measures
 from prospect_mj.experiment.paper.bands import Floats, Interval, interval
+from prospect_mj.experiment.paper.quantity import Kind
 from prospect_mj.experiment.paper.sample import Measure, Pair, Sample, estimate
 from prospect_mj.experiment.paper.scenario import PopulationSettings
-from prospect_mj.experiment.paper.statements import Kind, Target
 
 _TENTH = 0.1
+_ONE_LOOK = "none: one recorded look per side (also one place and one lamp)"
 
 
 class Published(NamedTuple):
@@ -30,22 +32,24 @@ class Published(NamedTuple):
 
     measure: Measure
     kind: Kind
-    target: Target
-    aim: float
-    """The number itself, or the bound of its range that differences are relative to."""
+    words: str
+    """The number, as the paper has it."""
+    low: float
+    """The number itself, or the lower bound of its range; differences are relative to
+    this one."""
+    high: float
+    """The same number, or the upper bound."""
 
 
 PUBLISHED = {
     "first_unsolved": Published(
-        measures.first_unsolved, Kind.SHARE, statements.TIMING_OUT, 0.5
+        measures.first_unsolved, Kind.SHARE, "over 50 %", 0.5, 1.0
     ),
-    "near_optimal": Published(
-        measures.near_optimal, Kind.TRIAL, statements.NEAR_OPTIMAL, 650
-    ),
+    "near_optimal": Published(measures.near_optimal, Kind.TRIAL, "650", 650, 650),
     "pretraining": Published(
-        measures.pretraining_near_optimal, Kind.TRIAL, statements.PRETRAINED, 250
+        measures.pretraining_near_optimal, Kind.TRIAL, "250", 250, 250
     ),
-    "peak": Published(measures.peak_after_switch, Kind.ACTIONS, statements.PEAK, 6.0),
+    "peak": Published(measures.peak_after_switch, Kind.ACTIONS, "6 to 7", 6.0, 7.0),
 }
 
 
@@ -72,6 +76,10 @@ def variants() -> list[Variant]:
         Variant(scale, f"energy {energy:g}", _features(energy=energy))
         for energy in (1.0, 2.0, 2.4, 3.0, 4.0)
     ]
+    drawn = [
+        Variant(begins, f"normal, sd {sd:g}", _learner(initial_sd=sd))
+        for sd in (0.01, 0.03, 0.1, 1.0, 3.0)
+    ]
     return [
         Variant(reading, "product", _features(reading="product")),
         Variant(reading, "one_hot", _features(reading="one_hot")),
@@ -81,13 +89,11 @@ def variants() -> list[Variant]:
         Variant(masks, "none", {"supervisor": "none"}),
         Variant(masks, "safe", {"supervisor": "safe"}),
         Variant(masks, "productive", {"supervisor": "productive"}),
-        Variant(begins, "zero", {"initial_sd": 0.0}),
-        Variant(begins, "normal, sd 0.03", {"initial_sd": 0.03}),
-        Variant(begins, "normal, sd 1", {"initial_sd": 1.0}),
-        Variant(begins, "normal, sd 3", {"initial_sd": 3.0}),
+        Variant(begins, "zero", _learner(initial_sd=0.0)),
+        *drawn,
         Variant(cap, "yes", {"bootstrap_at_truncation": True}),
         Variant(cap, "no", {"bootstrap_at_truncation": False}),
-        Variant(noise, "none: one recorded look per side", {"presentations": 1}),
+        Variant(noise, _ONE_LOOK, {"presentations": 1}),
         Variant(noise, "as recorded: all looks", {"presentations": None}),
         Variant(noise, "recorded, and sd 0.05 per bin", {"image_noise": 0.05}),
     ]
@@ -95,6 +101,10 @@ def variants() -> list[Variant]:
 
 def _features(**changes: Any) -> dict[str, FeatureSettings]:  # noqa: ANN401
     return {"features": FeatureSettings(**changes)}
+
+
+def _learner(**changes: Any) -> dict[str, LearnerSettings]:  # noqa: ANN401
+    return {"learner": LearnerSettings(**changes)}
 
 
 @dataclass(frozen=True)
@@ -107,6 +117,8 @@ class Row:
     """By the names of `PUBLISHED`."""
     distance: Interval
     """From the published numbers [1]."""
+    resampled: Floats
+    """(b,), the distance in every resample."""
 
 
 def measure_row(variant: Variant, is_default: bool, sample: Sample) -> Row:
@@ -118,8 +130,8 @@ def measure_row(variant: Variant, is_default: bool, sample: Sample) -> Row:
         sample: curves of the populations that learned with it.
     """
     measured = {name: estimate(p.measure, sample) for name, p in PUBLISHED.items()}
-    far = interval(distance(sample.mean)[0], distance(sample.resampled))
-    return Row(variant, is_default, measured, far)
+    far, many = distance(sample.mean)[0], distance(sample.resampled)
+    return Row(variant, is_default, measured, interval(far, many), many)
 
 
 def distance(pair: Pair) -> Floats:
@@ -132,40 +144,60 @@ def distance(pair: Pair) -> Floats:
     for published in PUBLISHED.values():
         reached = published.measure(pair)
         reached = np.minimum(reached, ends.get(published.measure, np.inf))
-        total += (_off(reached, published) / (_TENTH * published.aim)) ** 2
+        off = reached - np.clip(reached, published.low, published.high)
+        total += (off / (_TENTH * published.low)) ** 2
     return total
 
 
-def _off(values: Floats, published: Published) -> Floats:
-    """How far values are from a published number, or outside of its range."""
-    if published.target.near:
-        return values - published.aim
-    return values - np.clip(values, published.target.low, published.target.high)
-
-
-def best(rows: list[Row]) -> Row:
+def best(rows: Sequence[Row]) -> Row:
     """The choice that is nearest to the paper."""
     return min(rows, key=lambda row: row.distance.estimate)
 
 
-def as_good(rows: list[Row]) -> list[Row]:
-    """Choices whose intervals reach down to that of the best one, itself among them."""
-    limit = best(rows).distance.high
-    return [row for row in rows if row.distance.low <= limit]
+def farther(row: Row, other: Row) -> Interval:
+    """By how much a choice's distance is larger than that of another.
+
+    The runs of all choices have the same seeds, and resamples the same weights, so that
+    the chance which both share falls out of the difference.
+    """
+    difference = row.distance.estimate - other.distance.estimate
+    return interval(difference, row.resampled - other.resampled)
 
 
-def table(rows: list[Row]) -> pa.Table:
-    """All rows, a number and its interval's bounds per column."""
-    plain = []
+def as_good(rows: Sequence[Row]) -> list[Row]:
+    """Choices that can't be told from the best one, itself among them."""
+    nearest = best(rows)
+    return [row for row in rows if farther(row, nearest).low <= 0]
+
+
+def by_factor(rows: Sequence[Row]) -> dict[str, list[Row]]:
+    """The choices for each thing that is left open."""
+    factors: dict[str, list[Row]] = {}
     for row in rows:
-        variant = row.variant
-        columns = {
-            "factor": variant.factor,
-            "choice": variant.choice,
-            "default": row.is_default,
-        }
-        for name, measured in (*row.measured.items(), ("distance", row.distance)):
-            names = (name, f"{name}_low", f"{name}_high")
-            columns |= dict(zip(names, measured, strict=True))
-        plain.append(columns)
-    return pa.Table.from_pylist(plain)
+        factors.setdefault(row.variant.factor, []).append(row)
+    return factors
+
+
+def table(rows: Sequence[Row]) -> pa.Table:
+    """All rows, a number and its interval's bounds per column."""
+    return pa.Table.from_pylist(
+        [
+            _columns(row, best(choices))
+            for choices in by_factor(rows).values()
+            for row in choices
+        ]
+    )
+
+
+def _columns(row: Row, nearest: Row) -> dict[str, object]:
+    """A row of the table; `nearest` is the best choice of the same factor."""
+    columns: dict[str, object] = {
+        "factor": row.variant.factor,
+        "choice": row.variant.choice,
+        "default": row.is_default,
+    }
+    beside = {"distance": row.distance, "farther": farther(row, nearest)}
+    for name, measured in {**row.measured, **beside}.items():
+        names = (name, f"{name}_low", f"{name}_high")
+        columns |= dict(zip(names, measured[:3], strict=True))
+    return columns

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from prospect_mj.experiment.learning_curve import BLOCK
 from prospect_mj.experiment.paper.population import Population
-from prospect_mj.experiment.paper.strategies import Strategy, easy
+from prospect_mj.experiment.paper.strategies import Grip, Strategy, easy, first_grip
 
 LEVEL = 0.95
 """Of every interval and band."""
@@ -24,11 +24,13 @@ Floats = NDArray[np.float64]
 
 
 class Interval(NamedTuple):
-    """An estimate with its confidence interval."""
+    """An estimate with its confidence interval; NaN for what is not there."""
 
     estimate: float
     low: float
     high: float
+    lacking: float = 0.0
+    """Share of the resamples in which it is not there; the others make the bounds."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +45,11 @@ class Curves:
     """(b, 4, s), share of each `Strategy` in easy trials; NaN without such trials."""
     difficult: Floats
     """(b, 4, s), the same in the difficult trials."""
+    easy_grips: Floats
+    """(b, 2, s), share of each `Grip` in the first grasps of easy trials; NaN without
+    any."""
+    difficult_grips: Floats
+    """(b, 2, s), the same in the difficult trials."""
     switch: int
     """Sets of pretraining."""
 
@@ -59,6 +66,10 @@ class RunCounts:
     """(r, 4, s), easy trials with each `Strategy`."""
     difficult: Floats
     """(r, 4, s), difficult trials with each."""
+    easy_grips: Floats
+    """(r, 2, s), easy trials that begin with each `Grip`."""
+    difficult_grips: Floats
+    """(r, 2, s), difficult trials that do."""
     switch: int
     """Sets of pretraining."""
 
@@ -67,33 +78,42 @@ class RunCounts:
         """Count; trials that don't fill a last set are left out."""
         is_easy = easy(population.lid, population.scenario.dominant)
         used = [population.strategy == strategy for strategy in Strategy]
+        grip = first_grip(population.lid, population.first_hand)
+        began = [grip == kind for kind in Grip]
         return cls(
             actions=in_sets(population.n_actions).mean(axis=2),
             unsolved=in_sets(~population.solved).mean(axis=2),
             easy=_counts([was & is_easy for was in used]),
             difficult=_counts([was & ~is_easy for was in used]),
+            easy_grips=_counts([was & is_easy for was in began]),
+            difficult_grips=_counts([was & ~is_easy for was in began]),
             switch=population.scenario.pretrain // BLOCK,
         )
 
     def mean(self) -> Curves:
         """The curves of all runs, b = 1."""
         n_runs = len(self.actions)
-        return self._weighted(np.full((1, n_runs), 1.0 / n_runs))
+        return self.weighted(np.full((1, n_runs), 1.0 / n_runs))
 
-    def resampled(self, rng: np.random.Generator, n: int = RESAMPLES) -> Curves:
-        """The curves of n resamples of the runs, b = n."""
-        n_runs = len(self.actions)
-        drawn = rng.multinomial(n_runs, np.full(n_runs, 1.0 / n_runs), size=n)
-        return self._weighted(drawn / n_runs)
-
-    def _weighted(self, weights: Floats) -> Curves:
+    def weighted(self, weights: Floats) -> Curves:
+        """Means with the weights (b, r) of the runs."""
         return Curves(
             weights @ self.actions,
             weights @ self.unsolved,
             _shares(weights, self.easy),
             _shares(weights, self.difficult),
+            _shares(weights, self.easy_grips),
+            _shares(weights, self.difficult_grips),
             self.switch,
         )
+
+
+def resampling_weights(
+    n_runs: int, rng: np.random.Generator, n: int = RESAMPLES
+) -> Floats:
+    """Weights (n, n_runs) of the runs in n resamples; each row adds up to one."""
+    drawn = rng.multinomial(n_runs, np.full(n_runs, 1.0 / n_runs), size=n)
+    return drawn / n_runs
 
 
 def in_sets(values: NDArray[np.generic]) -> NDArray[np.generic]:
@@ -103,10 +123,23 @@ def in_sets(values: NDArray[np.generic]) -> NDArray[np.generic]:
     return values[:, : n_sets * BLOCK].reshape(n_runs, n_sets, BLOCK)
 
 
+def mean_of_sets(shares: Floats) -> Floats:
+    """Mean over sets, the last axis, that have what a share is of; NaN if none has."""
+    there = ~np.isnan(shares)
+    n_there = there.sum(axis=-1)
+    total = np.where(there, shares, 0.0).sum(axis=-1)
+    return np.divide(total, n_there, out=np.full_like(total, np.nan), where=n_there > 0)
+
+
 def interval(estimate: float, resampled: Floats) -> Interval:
-    """The percentile interval of an estimate from its resamples (b,)."""
-    low, high = band(resampled)
-    return Interval(float(estimate), float(low), float(high))
+    """The percentile interval of an estimate from its resamples (b,).
+
+    A resample is NaN where it lacks what is measured.
+    """
+    there = resampled[~np.isnan(resampled)]
+    lacking = 1.0 - len(there) / len(resampled)
+    low, high = band(there) if len(there) else (np.nan, np.nan)
+    return Interval(float(estimate), float(low), float(high), lacking)
 
 
 def band(resampled: Floats) -> Floats:
@@ -122,7 +155,7 @@ def _counts(masks: list[NDArray[np.bool_]]) -> Floats:
 
 
 def _shares(weights: Floats, counts: Floats) -> Floats:
-    """Shares (b, 4, s) from weights (b, r) of the runs and their counts (r, 4, s)."""
+    """Shares (b, k, s) from weights (b, r) of the runs and their counts (r, k, s)."""
     totals = np.tensordot(weights, counts, axes=1)
     trials = totals.sum(axis=1, keepdims=True)
     shares = np.full_like(totals, np.nan)

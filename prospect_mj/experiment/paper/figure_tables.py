@@ -31,10 +31,12 @@ STRATEGY_SCHEMA = pa.schema(
         "share": pa.float64(),
         "low": pa.float64(),
         "high": pa.float64(),
+        "optimum": pa.float64(),
     }
 )
 """A strategy in a set of ten trials: its first trial, the strategy's share of the easy
-or the difficult ones among these, its band. Sets without such trials are left out."""
+or the difficult ones among these, its band; the best possible share of the optimal
+strategy. Sets without such trials are left out."""
 
 
 def actions_table(mean: Curves, resampled: Curves, optimum: Floats) -> pa.Table:
@@ -57,12 +59,14 @@ def actions_table(mean: Curves, resampled: Curves, optimum: Floats) -> pa.Table:
     return pa.table(columns, schema=ACTIONS_SCHEMA)
 
 
-def strategy_table(mean: Floats, resampled: Floats) -> pa.Table:
+def strategy_table(mean: Floats, resampled: Floats, optimum: float) -> pa.Table:
     """Figure 6: shares of the strategies under `STRATEGY_SCHEMA`.
 
     Args:
         mean: (1, 4, s), shares of all runs; NaN where there is no such trial.
         resampled: (b, 4, s), shares of resamples of the runs.
+        optimum: share of the optimal strategy, where every trial takes the fewest
+            actions.
     """
     shown = np.flatnonzero(np.isfinite(resampled).all(axis=(0, 1)))
     shares = _with_corrections(mean[..., shown])[0]
@@ -73,6 +77,7 @@ def strategy_table(mean: Floats, resampled: Floats) -> pa.Table:
         "share": shares.ravel(),
         "low": low.ravel(),
         "high": high.ravel(),
+        "optimum": np.full(shares.size, optimum),
     }
     return pa.table(columns, schema=STRATEGY_SCHEMA)
 

@@ -100,7 +100,9 @@ def strategies(table: pa.Table, heading: Heading) -> bytes:
     """
     last = pc.max(table["trial"]).as_py()
     figure, axes = _frame(heading, last, "share of trials")
-    axes.set_ylim(0, 1.1)
+    # Room for the words above a best share of all trials.
+    axes.set_ylim(0, 1.2)
+    axes.set_yticks(np.linspace(0, 1, 6))
     axes.yaxis.set_major_formatter(PercentFormatter(1, decimals=0, symbol=" %"))
     for strategy, colour in _COLOURS.items():
         rows = _columns(table.filter(pc.field("strategy") == strategy))
@@ -113,6 +115,7 @@ def strategies(table: pa.Table, heading: Heading) -> bytes:
         if strategy != CORRECTION:
             low, high = rows["low"], rows["high"]
             axes.fill_between(middles, low, high, color=colour, alpha=0.25, lw=0)
+    _draw_best_share(axes, table)
     figure.legend(loc="outside lower center", ncols=len(_COLOURS), **_LEGEND)
     return png(figure)
 
@@ -199,6 +202,15 @@ def _draw_floor(axes: Axes, trials: Floats, optimum: Floats) -> None:
     height = axes.get_ylim()[1]
     words = f"best possible: {optimum[-1]:.2f}"
     _write(axes, words, (1, (optimum[-1] - 0.04 * height) / height), "right")
+
+
+def _draw_best_share(axes: Axes, table: pa.Table) -> None:
+    """Draw the best possible share of the optimal strategy, where there are trials."""
+    share, first = table["optimum"][0].as_py(), pc.min(table["trial"]).as_py()
+    axes.hlines(share, first, axes.get_xlim()[1], color=_GREY, linewidth=1)
+    height = axes.get_ylim()[1]
+    words = f"best possible: {100 * share:.0f} %"
+    _write(axes, words, (1, (share + 0.04 * height) / height), "right")
 
 
 def _draw_mark(axes: Axes, mark: Mark) -> None:

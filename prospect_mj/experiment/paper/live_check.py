@@ -11,7 +11,7 @@ instance Montiel Olea and Plagborg-Moller, Journal of Applied Econometrics 34, 2
 live runs were of the same kind, their mean would leave it anywhere in 5 % of studies.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -30,7 +30,7 @@ from prospect_mj.experiment.paper.population import Population
 from prospect_mj.experiment.paper.scenario import PopulationSettings
 from prospect_mj.experiment.records import TRIAL_SCHEMA
 from prospect_mj.experiment.run_folder import CONFIG, TRIALS, read_config
-from prospect_mj.recording.config import RecordingConfig
+from prospect_mj.recording.key import RecordingKey
 
 SCHEMA = pa.schema(
     {
@@ -43,6 +43,19 @@ SCHEMA = pa.schema(
 )
 """A set of ten trials: its first trial, mean actions of the live runs, of all recorded
 runs, the simultaneous band of means of as many recorded runs."""
+
+_LEARNING = (
+    "supervisor",
+    "shaping",
+    "max_actions",
+    "bootstrap_at_truncation",
+    "features",
+    "learner",
+)
+"""Settings that training and populations have in common."""
+_FIXED = {"image_noise": 0.0, "presentations": None}
+"""What in training can't be set."""
+_PHYSICS = ("object_pose", "gross_motion", "grid_cells")
 
 
 @dataclass(frozen=True)
@@ -75,7 +88,7 @@ class LiveCheck:
 
 
 def read_live(
-    folder: Path, trials: int, settings: PopulationSettings, physics: RecordingConfig
+    folder: Path, trials: int, settings: PopulationSettings, physics: RecordingKey
 ) -> FoundRuns:
     """Read what there is of live runs.
 
@@ -86,12 +99,17 @@ def read_live(
         physics: what was recorded; the same.
 
     Raises:
-        RunFolderError: if there is no run, one is damaged, or has other settings.
+        RunFolderError: if there is no run, one is damaged, has other settings, sources
+            or models, or the same seed as another.
     """
     paths = sorted(path.parent for path in folder.glob(f"*/{CONFIG}"))
     if not paths:
         raise RunFolderError(f"{folder} has no run folder in it")
-    runs = [_n_actions(path, settings, physics) for path in paths]
+    configs = {path: read_config(path) for path in paths}
+    for path, config in configs.items():
+        _check_same(path, config, settings, physics)
+    _check_seeds(configs)
+    runs = [_n_actions(path, config) for path, config in configs.items()]
     complete = [run[:trials] for run in runs if len(run) >= trials]
     stacked = np.array(complete, np.int64).reshape(-1, trials)
     return FoundRuns(stacked, len(runs) - len(complete))
@@ -145,38 +163,16 @@ def simultaneous_band(
     return centre + np.outer([-factor, factor], deviation)
 
 
-def _n_actions(
-    path: Path, settings: PopulationSettings, physics: RecordingConfig
-) -> NDArray[np.int64]:
-    """Actions per trial of a run, as far as it has come."""
-    config = read_config(path)
-    _check_same(path, config, settings, physics)
-    file = path / TRIALS
-    if not file.exists():
-        return np.empty(0, np.int64)
-    try:
-        trials = tables.read(file, TRIAL_SCHEMA, fingerprint.origin(config), "run")
-    except ForeignTable as error:
-        raise RunFolderError(str(error)) from error
-    except (OSError, ArrowException) as error:
-        raise RunFolderError(f"{file} can't be read: it is damaged") from error
-    return trials["n_actions"].to_numpy().astype(np.int64)
-
-
 def _check_same(
     path: Path,
     config: TrainConfig,
     settings: PopulationSettings,
-    physics: RecordingConfig,
+    physics: RecordingKey,
 ) -> None:
-    """Refuse a run of which no population has the settings."""
-    names = ("supervisor", "shaping", "max_actions", "bootstrap_at_truncation")
-    pairs: list[tuple[str, object, object]] = [
-        (name, getattr(config, name), getattr(settings, name))
-        for name in (*names, "features", "learner")
-    ]
-    same: Sequence[str] = ("object_pose", "gross_motion", "grid_cells")
-    pairs += [(name, getattr(config, name), getattr(physics, name)) for name in same]
+    """Refuse a run that no population is like, or that saw other physics."""
+    pairs = [(n, getattr(config, n), getattr(settings, n)) for n in _LEARNING]
+    pairs += [(n, value, getattr(settings, n)) for n, value in _FIXED.items()]
+    pairs += [(n, getattr(config, n), getattr(physics.config, n)) for n in _PHYSICS]
     pairs += [("physics", config.physics, "live"), ("pretrain", config.pretrain, 0)]
     for name, found, wanted in pairs:
         if found != wanted:
@@ -184,3 +180,35 @@ def _check_same(
                 f"{path} can't be compared: its {name.replace('_', ' ')} is {found}, "
                 f"not {wanted}"
             )
+    digests = fingerprint.digests(config)
+    for name, recorded in physics.sha256.items():
+        if digests.get(name) != recorded:
+            raise RunFolderError(
+                f"{path} can't be compared: {name} changed between the recording and it"
+            )
+
+
+def _check_seeds(configs: Mapping[Path, TrainConfig]) -> None:
+    """Refuse a run that is there twice, as a copied folder is."""
+    first: dict[int, Path] = {}
+    for path, config in configs.items():
+        if config.seed in first:
+            raise RunFolderError(
+                f"{path} can't be compared: it has the seed of "
+                f"{first[config.seed].name}, {config.seed}"
+            )
+        first[config.seed] = path
+
+
+def _n_actions(path: Path, config: TrainConfig) -> NDArray[np.int64]:
+    """Actions per trial of a run, as far as it has come."""
+    file = path / TRIALS
+    if not file.exists():
+        return np.empty(0, np.int64)
+    try:
+        trials = tables.read(file, TRIAL_SCHEMA, fingerprint.origin(config), "run")
+    except ForeignTable as error:
+        raise RunFolderError(str(error)) from error
+    except (OSError, ValueError, ArrowException) as error:
+        raise RunFolderError(f"{file} can't be read: it is damaged") from error
+    return trials["n_actions"].to_numpy().astype(np.int64)

@@ -1,4 +1,8 @@
-"""Runs on live physics in processes side by side, gone on with where they stopped."""
+"""Runs on live physics in processes side by side, gone on with where they stopped.
+
+The processes are those of this machine: each writes its run's folder itself, and those
+of a cluster would write it wherever they are.
+"""
 
 import contextlib
 import io
@@ -48,7 +52,7 @@ def folder_name(number: int) -> str:
 def advance(
     wanted: LiveRuns,
     out: Path,
-    workers: Workers,
+    jobs: int,
     make_env: MakeEnvironment = make_environment,
 ) -> Iterator[Path]:
     """Bring every run to its end; a killed process loses no finished trial.
@@ -56,7 +60,7 @@ def advance(
     Args:
         wanted: the runs.
         out: folder of their folders.
-        workers: who does the work.
+        jobs: processes.
         make_env: makes the environment.
 
     Yields:
@@ -70,7 +74,7 @@ def advance(
         _Task(out / folder_name(number), wanted.config(number), make_env)
         for number in range(wanted.runs)
     ]
-    yield from workers.map(_finish, tasks)
+    yield from Workers(jobs).map(_finish, tasks)
 
 
 def _finish(task: _Task) -> Path:

@@ -1,20 +1,18 @@
 """What is measured on the learning curves; the report quotes the definitions from here.
 
 Each measure takes the curves of both scenarios, b times resampled, and gives a value
-per resample (b,); infinity where it is never reached. The first line of its docstring
-is its name, the second paragraph its definition.
+per resample (b,): infinity where it is never reached, NaN where there is nothing to be
+measured. The first line of its docstring is its name, the second paragraph its
+definition. Those of corrections are in `corrections`.
 """
 
 import numpy as np
 
 from prospect_mj.experiment.learning_curve import BLOCK, NEAR_OPTIMAL
-from prospect_mj.experiment.paper.bands import Curves, Floats
+from prospect_mj.experiment.paper.bands import Curves, Floats, mean_of_sets
 from prospect_mj.experiment.paper.sample import Pair
 from prospect_mj.experiment.paper.strategies import Strategy
 
-GONE = 0.02
-"""Share of difficult trials at which a correction counts as gone: exploration alone
-makes 0.05 / 6 = 0.8 % of first grasps wrong ones."""
 RATE_LEVELS = (5.0, 3.0)
 """Mean actions between which the rate of learning is taken."""
 _SOON, _LONG = 3, 10
@@ -80,8 +78,8 @@ def easy_drop(pair: Pair) -> Floats:
     pretraining, minus the smallest such share of a set of ten after it.
     """
     optimal, switch = _easy_optimal(pair), pair.dominant.switch
-    before = np.nanmean(optimal[:, :switch][:, -_LONG:], axis=1)
-    return before - np.nanmin(optimal[:, switch:], axis=1)
+    before = mean_of_sets(optimal[:, :switch][:, -_LONG:])
+    return before - np.fmin.reduce(optimal[:, switch:], axis=1)
 
 
 def easy_low_trial(pair: Pair) -> Floats:
@@ -99,48 +97,12 @@ def easy_regained(pair: Pair) -> Floats:
     """Part of that drop that was regained.
 
     The rise of the share of the optimal strategy on easy trials from its lowest set
-    after the pretraining to the mean of the last hundred trials, divided by the drop.
+    after the pretraining to the mean of the last hundred trials, divided by the drop;
+    none without a drop.
     """
     optimal = _easy_optimal(pair)[:, pair.dominant.switch :]
-    last = np.nanmean(optimal[:, -_LONG:], axis=1)
-    return _ratio(last - np.nanmin(optimal, axis=1), easy_drop(pair))
-
-
-def correction_margin(pair: Pair) -> Floats:
-    """Smallest lead of the optimal strategy over corrections on difficult trials.
-
-    The smallest value, over sets of ten after the pretraining, of the share of
-    difficult trials with the optimal strategy minus that with a correction of any kind.
-    """
-    shares = pair.dominant.difficult[:, :, pair.dominant.switch :]
-    corrections = shares[:, Strategy.EARLY] + shares[:, Strategy.LATE]
-    return np.nanmin(shares[:, Strategy.OPTIMAL] - corrections, axis=1)
-
-
-def early_gone(pair: Pair) -> Floats:
-    """Early corrections gone.
-
-    The first trial of the first set of ten from which on every set has early
-    corrections in at most 2 % of its difficult trials.
-    """
-    return BLOCK * settled(pair.dominant.difficult[:, Strategy.EARLY], GONE)
-
-
-def late_gone(pair: Pair) -> Floats:
-    """Late corrections gone.
-
-    The first trial of the first set of ten from which on every set has late corrections
-    in at most 2 % of its difficult trials.
-    """
-    return BLOCK * settled(pair.dominant.difficult[:, Strategy.LATE], GONE)
-
-
-def late_outlasts_early(pair: Pair) -> Floats:
-    """Late corrections outlast early ones.
-
-    Trials from where early corrections are gone to where late corrections are.
-    """
-    return _minus(late_gone(pair), early_gone(pair))
+    last = mean_of_sets(optimal[:, -_LONG:])
+    return _ratio(last - np.fmin.reduce(optimal, axis=1), easy_drop(pair))
 
 
 def last_actions(pair: Pair) -> Floats:
@@ -152,11 +114,11 @@ def last_actions(pair: Pair) -> Floats:
     return pair.baseline.actions[:, -_LONG:].mean(axis=1)
 
 
-def settled(curves: Floats, level: float) -> Floats:
+def settled(curves: Floats, level: float | Floats) -> Floats:
     """First set from which on curves (b, s) stay at or below a level; (b,) [sets].
 
     With level 2.4 the same as `learning_curve.near_optimal_trial` without smoothing,
-    which the means of so many runs don't need.
+    which the means of so many runs don't need. A set that is NaN is passed over.
     """
     above = curves > level
     n_sets = above.shape[1]
@@ -181,20 +143,15 @@ def _with_random_sides(pair: Pair) -> tuple[Floats, Floats]:
 def _fall(actions: Floats) -> Floats:
     """Sets from where curves (b, s) settle at the upper level to the lower one."""
     upper, lower = (settled(actions, level) for level in RATE_LEVELS)
-    return np.where(np.isfinite(lower), _minus(lower, upper), np.inf)
+    reached = np.isfinite(lower)
+    return np.where(reached, lower - np.where(reached, upper, 0.0), np.inf)
 
 
 def _easy_optimal(pair: Pair) -> Floats:
     return pair.dominant.easy[:, Strategy.OPTIMAL]
 
 
-def _minus(later: Floats, earlier: Floats) -> Floats:
-    """Difference of set or trial numbers; none between two that are never reached."""
-    with np.errstate(invalid="ignore"):
-        return np.where(later == earlier, 0.0, later - earlier)
-
-
 def _ratio(value: Floats, reference: Floats) -> Floats:
-    """Infinite where either is, or the reference is zero."""
-    usable = np.isfinite(value) & np.isfinite(reference) & (reference != 0)
-    return np.divide(value, reference, out=np.full_like(value, np.inf), where=usable)
+    """NaN unless the reference is above zero and finite."""
+    usable = np.isfinite(reference) & (reference > 0)
+    return np.divide(value, reference, out=np.full_like(value, np.nan), where=usable)

@@ -14,24 +14,39 @@ import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.experiment.paper.kernel import Graph
-from prospect_mj.experiment.paper.outcome_graph import HANDS, recorded_graph
+from prospect_mj.experiment.paper.outcome_graph import (
+    GRASPS,
+    HANDS,
+    SWAPS,
+    recorded_graph,
+)
 from prospect_mj.recording.recording import Recording
 from prospect_mj.supervisor.supervisor import Supervisor
 
 
 @dataclass(frozen=True)
-class Optimum:
-    """The best expected numbers of actions."""
+class BySide:
+    """Means over presentations."""
 
     left: float
-    """[actions] with the lid to the left, mean over presentations."""
+    """With the lid to the left."""
     right: float
-    """[actions] with the lid to the right."""
+    """With the lid to the right."""
 
     @property
     def mean(self) -> float:
-        """[actions] over trials in which either side is as likely."""
+        """Over trials in which either side is as likely."""
         return (self.left + self.right) / 2
+
+
+@dataclass(frozen=True)
+class Optimum:
+    """The best that can be done."""
+
+    actions: BySide
+    """Expected number of actions."""
+    optimal: BySide
+    """Share of presentations in which the optimal strategy needs no more of them."""
 
 
 def optimum(
@@ -48,20 +63,28 @@ def optimum(
         RecordingError: if no presentation of a side is complete.
     """
     shown = recording.complete(max_actions)
-    graph = recorded_graph(recording, supervisor or Supervisor())
-    fewest = fewest_actions(graph, max_actions)
-    actions = fewest[recording.presentations.root[shown]]
     lid = recording.presentations.lid[shown]
-    left, right = (float(actions[lid == side].mean()) for side in HANDS)
-    return Optimum(left, right)
+    root = recording.presentations.root[shown]
+    graph = recorded_graph(recording, supervisor or Supervisor())
+    actions = fewest_actions(graph, max_actions)[root]
+    solved = fewest_actions(graph, max_actions, np.inf)[root]
+    alone = optimal_strategy_alone(graph, root, lid)
+    prospective = fewest_actions(alone, max_actions, np.inf)[root]
+    # What can't be solved is infinite, and no strategy at all.
+    is_optimal = np.isfinite(prospective) & (prospective == solved)
+    return Optimum(_by_side(actions, lid), _by_side(is_optimal, lid))
 
 
-def fewest_actions(graph: Graph, max_actions: int) -> NDArray[np.float64]:
+def fewest_actions(
+    graph: Graph, max_actions: int, cut_off: float = 0.0
+) -> NDArray[np.float64]:
     """V_k of every node, with k = `max_actions`.
 
     Args:
         graph: the outcomes; the choices of its last phase count.
         max_actions: actions that are left.
+        cut_off: V_0 where the jar is not inserted; infinite, to tell what can't be
+            solved from what is by the last action.
 
     Returns:
         (n,) [actions], infinite where too few outcomes are known to tell.
@@ -69,8 +92,35 @@ def fewest_actions(graph: Graph, max_actions: int) -> NDArray[np.float64]:
     known = graph.child >= 0
     after = graph.situation[np.where(known, graph.child, 0)]
     open_to_choice = known & graph.choices[-1][graph.state]
-    fewest = np.zeros(len(graph.child))
+    fewest = np.where(graph.inserted, 0.0, cut_off)
     for _ in range(max_actions):
         best = np.where(open_to_choice, fewest[after], np.inf).min(axis=1)
         fewest = np.where(graph.inserted, 0.0, 1.0 + best)
     return fewest
+
+
+def optimal_strategy_alone(
+    graph: Graph, root: NDArray[np.int32], lid: NDArray[np.int8]
+) -> Graph:
+    """A graph on which trials can be solved by `Strategy.OPTIMAL` only.
+
+    Args:
+        graph: the outcomes.
+        root: (p,), nodes in which nothing has been grasped yet.
+        lid: (p,), the lid's side in each.
+
+    Returns:
+        The same without swaps and, in the roots, without the other hand's grasp: they
+        change nothing there.
+    """
+    own = np.arange(len(graph.child))
+    child = graph.child.copy()
+    for hand in HANDS:
+        child[:, SWAPS[hand]] = own
+        others = root[lid != hand]
+        child[others, GRASPS[hand]] = others
+    return graph._replace(child=child)
+
+
+def _by_side(values: NDArray[np.generic], lid: NDArray[np.int8]) -> BySide:
+    return BySide(*(float(values[lid == side].mean()) for side in HANDS))

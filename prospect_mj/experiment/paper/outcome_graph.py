@@ -13,8 +13,8 @@ from prospect_mj.supervisor.predicates import PredicateState
 from prospect_mj.supervisor.supervisor import Supervisor
 
 HANDS = (LEFT, RIGHT)
-_GRASPS = {LEFT: Action.GRASP_LEFT, RIGHT: Action.GRASP_RIGHT}
-_SWAPS = {LEFT: Action.SWAP_LEFT_TO_RIGHT, RIGHT: Action.SWAP_RIGHT_TO_LEFT}
+GRASPS = {LEFT: Action.GRASP_LEFT, RIGHT: Action.GRASP_RIGHT}
+SWAPS = {LEFT: Action.SWAP_LEFT_TO_RIGHT, RIGHT: Action.SWAP_RIGHT_TO_LEFT}
 _INSERTIONS = {LEFT: Action.INSERT_LEFT, RIGHT: Action.INSERT_RIGHT}
 
 _NODES_PER_LID = 4
@@ -69,8 +69,8 @@ def ideal_graph() -> Graph:
     for lid in HANDS:
         root = ideal_root(lid)
         for hand, other in zip(HANDS, reversed(HANDS), strict=True):
-            child[root, _GRASPS[hand]] = root + hand
-            child[root + hand, _SWAPS[hand]] = root + other
+            child[root, GRASPS[hand]] = root + hand
+            child[root + hand, SWAPS[hand]] = root + other
         child[root + lid, _INSERTIONS[lid]] = root + _INSERTED
     return Graph(
         child=child,

@@ -11,9 +11,9 @@ from prospect_mj.experiment.paper.bands import Floats
 from prospect_mj.experiment.paper.figure_tables import actions_table, strategy_table
 from prospect_mj.experiment.paper.figures import Heading, Mark
 from prospect_mj.experiment.paper.live_check import LiveCheck
-from prospect_mj.experiment.paper.optimum import Optimum
+from prospect_mj.experiment.paper.optimum import BySide, Optimum
 from prospect_mj.experiment.paper.report import LIVE
-from prospect_mj.experiment.paper.reproduction import PRETRAIN, ReproduceConfig
+from prospect_mj.experiment.paper.reproduce_config import PRETRAIN, ReproduceConfig
 from prospect_mj.experiment.paper.sample import Sample
 
 
@@ -39,19 +39,21 @@ def published(
     of = f"mean of {config.runs} runs in sets of ten trials, 95 % band"
     yield _figure_5a(sample, optimum, of, cap)
     yield _figure_5b(sample, optimum, of, cap)
-    yield from _figures_6(sample, of)
+    yield from _figures_6(sample, optimum.optimal, of)
 
 
 def live(check: LiveCheck, optimum: Optimum, cap: int) -> Picture:
     """Live runs on the band of recorded ones."""
     heading = Heading("Live physics against recorded", "means in sets of ten trials")
-    png = figures.live(check.table, heading, cap, optimum.mean, check.runs)
+    png = figures.live(check.table, heading, cap, optimum.actions.mean, check.runs)
     return Picture(LIVE, check.table, png)
 
 
 def _figure_5a(sample: Sample, optimum: Optimum, of: str, cap: int) -> Picture:
     mean, many = sample.mean.baseline, sample.resampled.baseline
-    table = actions_table(mean, many, np.full(mean.actions.shape[1], optimum.mean))
+    table = actions_table(
+        mean, many, np.full(mean.actions.shape[1], optimum.actions.mean)
+    )
     heading = Heading("Actions per trial without a dominant hand (figure 5a)", of)
     marks = [Mark(650, 2.4, "near-optimal at about 650")]
     return Picture("figure_5a", table, figures.actions(table, heading, cap, marks))
@@ -59,7 +61,9 @@ def _figure_5a(sample: Sample, optimum: Optimum, of: str, cap: int) -> Picture:
 
 def _figure_5b(sample: Sample, optimum: Optimum, of: str, cap: int) -> Picture:
     mean, many = sample.mean.dominant, sample.resampled.dominant
-    table = actions_table(mean, many, _optima(optimum, mean.switch, mean.actions))
+    table = actions_table(
+        mean, many, _optima(optimum.actions, mean.switch, mean.actions)
+    )
     title = "Actions per trial with a dominant hand (figure 5b)"
     heading = Heading(title, of, PRETRAIN)
     marks = [
@@ -69,19 +73,25 @@ def _figure_5b(sample: Sample, optimum: Optimum, of: str, cap: int) -> Picture:
     return Picture("figure_5b", table, figures.actions(table, heading, cap, marks))
 
 
-def _figures_6(sample: Sample, of: str) -> Iterator[Picture]:
+def _figures_6(sample: Sample, best: BySide, of: str) -> Iterator[Picture]:
     mean, many = sample.mean.dominant, sample.resampled.dominant
-    for letter, word, once, often, shaded in (
-        ("a", "easy", mean.easy, many.easy, "all trials easy"),
-        ("b", "difficult", mean.difficult, many.difficult, "no such trials"),
+    # The right hand is the dominant one.
+    for letter, word, tables, shaded in (
+        ("a", "easy", (mean.easy, many.easy, best.right), "all trials easy"),
+        (
+            "b",
+            "difficult",
+            (mean.difficult, many.difficult, best.left),
+            "no such trials",
+        ),
     ):
-        table = strategy_table(once, often)
+        table = strategy_table(*tables)
         title = f"Strategies in {word} trials (figure 6{letter})"
         heading = Heading(title, of, PRETRAIN, f"pretraining: {shaded}")
         yield Picture(f"figure_6{letter}", table, figures.strategies(table, heading))
 
 
-def _optima(optimum: Optimum, switch: int, actions: Floats) -> Floats:
+def _optima(optimum: BySide, switch: int, actions: Floats) -> Floats:
     """The best possible mean of each set; the dominant hand is the right one."""
     n_sets = actions.shape[1]
     return np.where(np.arange(n_sets) < switch, optimum.right, optimum.mean)

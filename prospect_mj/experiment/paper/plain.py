@@ -75,18 +75,23 @@ def learn_plainly(programme: Programme, number: int) -> Learned:
     run, settings = programme.run(number), programme.settings
     learner = LinearQ(settings.learner)
     learner.weights[:] = run.weights
+    task = RecordedTask(programme.recording, programme.supervisor, settings.max_actions)
     log = _Log.empty(len(run.lid), settings.max_actions)
     for trial in range(len(run.lid)):
-        _run_trial(programme, run, learner, trial, log)
+        task.begin(int(run.trials.root[trial]))
+        _run_trial(programme, run, learner, task, trial, log)
     return Learned(run.lid, *log, learner.weights)
 
 
 def _run_trial(
-    programme: Programme, run: Run, learner: LinearQ, trial: int, log: _Log
+    programme: Programme,
+    run: Run,
+    learner: LinearQ,
+    task: RecordedTask,
+    trial: int,
+    log: _Log,
 ) -> None:
     settings, supervisor = programme.settings, programme.supervisor
-    task = RecordedTask(programme.recording, supervisor, settings.max_actions)
-    task.node = int(run.trials.root[trial])
     rng = _Drawn(run.trials.draws[trial])
     counts = run.counts[run.trials.image[trial]]
     features = programme.generator.generate(counts, task.holder or "none")

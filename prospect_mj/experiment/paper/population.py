@@ -13,10 +13,11 @@ from prospect_mj.experiment.paper import compiled_learner
 from prospect_mj.experiment.paper.kernel import Graph, Outcomes, Trials
 from prospect_mj.experiment.paper.programme import Programme
 from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
-from prospect_mj.experiment.paper.strategies import classify
+from prospect_mj.experiment.paper.strategies import classify, first_hand
 from prospect_mj.recording.recording import Recording
 
-_MOST_JOBS = 1024
+MOST_JOBS = 1024
+"""Threads that may be asked for."""
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,9 @@ class Population:
     """(runs, trials): whether the jar was inserted."""
     strategy: NDArray[np.int8]
     """(runs, trials): numbers of `Strategy`."""
+    first_hand: NDArray[np.int8]
+    """(runs, trials): hand of the first executed grasp, LEFT or RIGHT; NONE where there
+    was no grasp."""
 
     @classmethod
     def of(cls, scenario: Scenario, rows: Sequence["Row"]) -> Self:
@@ -47,6 +51,7 @@ class Row(NamedTuple):
     n_actions: NDArray[np.int8]
     solved: NDArray[np.bool_]
     strategy: NDArray[np.int8]
+    first_hand: NDArray[np.int8]
 
 
 class Learned(NamedTuple):
@@ -71,7 +76,8 @@ class Learned(NamedTuple):
     def row(self) -> Row:
         """What a `Population` keeps of it."""
         strategy = classify(self.lid, self.action, self.executed, self.inserted)
-        return Row(self.lid, self.n_actions, self.solved, strategy)
+        hand = first_hand(self.action, self.executed)
+        return Row(self.lid, self.n_actions, self.solved, strategy, hand)
 
 
 def run_population(
@@ -92,7 +98,7 @@ def run_population(
         RecordingError: if the recording has too few complete presentations.
         InvalidValue: if a learner diverges.
     """
-    check_integer("jobs", jobs, 1, _MOST_JOBS)
+    check_integer("jobs", jobs, 1, MOST_JOBS)
     settings = PopulationSettings() if settings is None else settings
     programme = Programme(recording, scenario, settings)
     rows = Parallel(n_jobs=jobs, prefer="threads")(

@@ -1,8 +1,9 @@
 """The programme of every run: what its trials present, and the numbers it draws.
 
-Each run has a seed of its own, made of the study's seed and the run's number, and in it
-one for each source of chance. So a run is the same whoever computes it, in a study of
-any size, and a change of one source leaves the others as they are.
+Each run has a seed of its own, made of the study's seed, the scenario's pretraining and
+the run's number, and in it one for each source of chance. So a run is the same whoever
+computes it, in a study of any size, a change of one source leaves the others as they
+are, and no two scenarios or seeds share a draw.
 """
 
 from typing import NamedTuple
@@ -10,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from prospect_mj.agent import LinearQ
 from prospect_mj.agent.features import StateFeatureGenerator
 from prospect_mj.errors import RecordingError
 from prospect_mj.experiment.paper.kernel import Trials
@@ -19,6 +21,9 @@ from prospect_mj.recording.arrays import LEFT
 from prospect_mj.recording.recording import Recording
 from prospect_mj.supervisor.supervisor import Supervisor
 from prospect_mj.task.presentation import ORIENTATIONS
+
+# Tells these seeds from the recording's own, which begin with the lid's side, 0 or 1.
+_RUNS = 2
 
 
 class Run(NamedTuple):
@@ -70,7 +75,10 @@ class Programme:
 
     def run(self, number: int) -> Run:
         """Run `number` of the population, from 0."""
-        seed = np.random.SeedSequence(self.settings.seed, spawn_key=(number,))
+        scenario = self._scenario
+        dominant = ORIENTATIONS.index(scenario.dominant)
+        key = _RUNS, scenario.pretrain, dominant, number
+        seed = np.random.SeedSequence(self.settings.seed, spawn_key=key)
         presents, draws, begins, noise = map(np.random.default_rng, seed.spawn(4))
         lid, shown = self._presented(presents)
         image, counts, visual = shown, self._counts, self._visual
@@ -86,7 +94,8 @@ class Programme:
             phase=self._phase,
             draws=draws.random((n_trials, max_actions, 2)),
         )
-        return Run(lid, counts, trials, self._initial_weights(begins))
+        weights = LinearQ(self.settings.learner, rng=begins).weights
+        return Run(lid, counts, trials, weights)
 
     def _presented(
         self, rng: np.random.Generator
@@ -111,11 +120,6 @@ class Programme:
 
     def _scaled(self, counts: NDArray[np.float64]) -> NDArray[np.float64]:
         return np.stack([self.generator.scaled_histogram(row) for row in counts])
-
-    def _initial_weights(self, rng: np.random.Generator) -> NDArray[np.float64]:
-        learner, sd = self.settings.learner, self.settings.initial_sd
-        shape = learner.n_actions, learner.n_features
-        return rng.normal(0.0, sd, shape) if sd else np.zeros(shape)
 
 
 def _shown(

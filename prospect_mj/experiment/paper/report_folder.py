@@ -7,7 +7,7 @@ report.md           what came out
 """
 
 import os
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 from typing import Self
 
@@ -15,62 +15,20 @@ import pyarrow as pa
 import yaml
 
 from prospect_mj import locking, tables
-from prospect_mj.agent.checks import check_integer
 from prospect_mj.agent.storage import replace_file, temporary
 from prospect_mj.closing import Closing
-from prospect_mj.errors import InvalidValue, RunFolderError
-from prospect_mj.experiment.learning_curve import BLOCK
-from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
-from prospect_mj.recording.config import LARGEST_SEED
+from prospect_mj.errors import RunFolderError
+from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
 
 NAME = "reproduction.yaml"
 REPORT = "report.md"
-PRETRAIN = 400
-"""Trials of pretraining (Wheeler, Fagg and Grupen 2002, section 3.2)."""
 
 _FORMAT = 1
-_MOST_RUNS, _MOST_TRIALS = 20_000, 100_000
-_LARGEST = 20_000_000
-_FEWEST_TRIALS = PRETRAIN + 3 * BLOCK
+_END = "\n...\n"
+"""Of a YAML document; a half-written one lacks it."""
 
 
-@dataclass(frozen=True)
-class ReproduceConfig:
-    """Size of the reproduction."""
-
-    runs: int = 1000
-    """Learners per scenario."""
-    trials: int = 1000
-    """Trials of each, with a dominant hand 400 of pretraining among them."""
-    ablation_runs: int = 200
-    """Learners per scenario and choice in the ablation table."""
-    seed: int = 0
-    """Equal seeds give equal reports, wall times aside."""
-
-    def __post_init__(self) -> None:
-        """Refuse numbers that make no experiment."""
-        check_integer("runs", self.runs, 2, _MOST_RUNS)
-        check_integer("trials", self.trials, _FEWEST_TRIALS, _MOST_TRIALS)
-        check_integer("ablation runs", self.ablation_runs, 2, _MOST_RUNS)
-        check_integer("seed", self.seed, 0, LARGEST_SEED - 1)
-        total = max(self.runs, self.ablation_runs) * self.trials
-        if total > _LARGEST:
-            raise InvalidValue("runs x trials", total, f"{_LARGEST} at most")
-
-    @property
-    def scenarios(self) -> tuple[Scenario, Scenario]:
-        """Without a dominant hand, and with one."""
-        return Scenario(self.trials), Scenario(self.trials, PRETRAIN)
-
-    def populations(self, runs: int) -> tuple[PopulationSettings, PopulationSettings]:
-        """The default learners for each scenario; no draw is common to both."""
-        return tuple(
-            PopulationSettings(runs=runs, seed=self.seed + number)
-            for number in range(2)
-        )
-
-
-class Reproduction(Closing):
+class ReportFolder(Closing):
     """An open folder, locked for one process.
 
     Attributes:
@@ -120,7 +78,8 @@ class Reproduction(Closing):
             unborn = temporary(path)
             if any(file != unborn for file in self.path.iterdir()):
                 raise RunFolderError(f"{self.path} is not empty; choose another folder")
-            replace_file(path, yaml.safe_dump(wanted, sort_keys=False).encode())
+            text = yaml.safe_dump(wanted, sort_keys=False, explicit_end=True)
+            replace_file(path, text.encode())
         found = _parsed(path)
         if found != wanted:
             differs = [name for name in wanted if found.get(name) != wanted[name]]
@@ -146,7 +105,10 @@ class Reproduction(Closing):
 
 def _parsed(path: Path) -> dict[str, object]:
     try:
-        content = yaml.safe_load(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
-        raise RunFolderError(f"{path} can't be read: it is damaged") from error
-    return content if isinstance(content, dict) else {}
+        text = path.read_text(encoding="utf-8")
+        content = yaml.safe_load(text) if text.endswith(_END) else None
+    except (OSError, UnicodeDecodeError, yaml.YAMLError):
+        content = None
+    if not isinstance(content, dict):
+        raise RunFolderError(f"{path} can't be read: it is damaged")
+    return content

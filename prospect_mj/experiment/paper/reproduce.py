@@ -7,10 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from prospect_mj.experiment.paper import ablation, live_check, pictures, statements
-from prospect_mj.experiment.paper.ablation import Variant
 from prospect_mj.experiment.paper.live_check import FoundRuns, LiveCheck
 from prospect_mj.experiment.paper.optimum import optimum
-from prospect_mj.experiment.paper.plain import measured_speed
+from prospect_mj.experiment.paper.plain import Speed, measured_speed
 from prospect_mj.experiment.paper.report import (
     ABLATION,
     STATEMENTS,
@@ -18,15 +17,13 @@ from prospect_mj.experiment.paper.report import (
     Timing,
     report,
 )
-from prospect_mj.experiment.paper.reproduction import (
-    REPORT,
-    ReproduceConfig,
-    Reproduction,
-)
-from prospect_mj.experiment.paper.sample import Sample
+from prospect_mj.experiment.paper.report_folder import REPORT, ReportFolder
+from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
+from prospect_mj.experiment.paper.sample import Resampling, Sample
 from prospect_mj.experiment.paper.scenario import PopulationSettings
 from prospect_mj.experiment.paper.store import Kept, Store, recording_digest
 from prospect_mj.recording.arrays import LEFT, RIGHT
+from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
 
 Tick = Callable[[], None]
@@ -41,23 +38,15 @@ class _Study:
     recording: Recording
     config: ReproduceConfig
     store: Store
-    jobs: int
-    rng: np.random.Generator
     tick: Tick
 
-    def learned(self, runs: int, variant: Variant | None = None) -> tuple[Kept, Kept]:
-        """The populations of both scenarios, with the default settings or others."""
+    def learned(self, settings: PopulationSettings) -> tuple[Kept, Kept]:
+        """The populations of both scenarios."""
         kept = []
-        pairs = zip(self.config.scenarios, self.config.populations(runs), strict=True)
-        for scenario, default in pairs:
-            settings = default if variant is None else variant.settings(default)
+        for scenario in self.config.scenarios:
             kept.append(self.store.get(scenario, settings))
             self.tick()
         return tuple(kept)
-
-    def sampled(self, kept: tuple[Kept, Kept]) -> Sample:
-        """Both populations' curves, resampled."""
-        return Sample.of(*(one.population for one in kept), self.rng)
 
 
 def n_steps() -> int:
@@ -92,11 +81,9 @@ def reproduce(
     """
     shown = _presentations(recording)
     found = _live_runs(live, config, recording)
-    with Reproduction.open(out, config, recording_digest(recording)) as folder:
+    with ReportFolder.open(out, config, recording_digest(recording)) as folder:
         store = Store(out / POPULATIONS, recording, jobs)
-        rng = np.random.default_rng(config.seed)
-        study = _Study(recording, config, store, jobs, rng, tick)
-        results = _results(study, shown, found)
+        results = _results(_Study(recording, config, store, tick), shown, found)
         _write_figures(folder, results)
         folder.write_table(STATEMENTS, statements.table(results.judgements))
         folder.write_table(ABLATION, ablation.table(results.rows))
@@ -106,30 +93,45 @@ def reproduce(
 
 def _results(study: _Study, shown: tuple[int, int], found: FoundRuns | None) -> Results:
     config, recording = study.config, study.recording
-    scenarios, settings = config.scenarios, config.populations(config.runs)
-    speed = measured_speed(recording, scenarios[0], settings[0])
-    kept = study.learned(config.runs)
-    sample = study.sampled(kept)
-    n_actions = sum(int(one.population.n_actions.sum(dtype=np.int64)) for one in kept)
-    seconds = sum(one.seconds for one in kept)
+    settings = config.population(config.runs)
+    speed = measured_speed(recording, config.scenarios[0], settings)
+    # A stream for each, so that live runs or another table change nothing else.
+    main, table, band = np.random.default_rng(config.seed).spawn(3)
+    kept = study.learned(settings)
+    sample = _sampled(kept, Resampling.draw(config.runs, main))
     return Results(
         config=config,
+        key=recording.key,
+        changed=recording.key.differences(RecordingKey.present(recording.key.config)),
         presentations=shown,
-        optimum=optimum(recording, max_actions=settings[0].max_actions),
+        optimum=optimum(recording, max_actions=settings.max_actions),
         sample=sample,
         judgements=statements.judge(sample),
-        rows=list(_rows(study)),
-        live=_compared(found, kept[0], study.rng),
-        timing=Timing(seconds, study.jobs, n_actions, speed),
+        rows=list(_rows(study, table)),
+        live=_compared(found, kept[0], band),
+        timing=_timing(kept, speed),
     )
 
 
-def _rows(study: _Study) -> Iterator[ablation.Row]:
-    default = PopulationSettings()
+def _rows(study: _Study, rng: np.random.Generator) -> Iterator[ablation.Row]:
+    """One after the other, all with the same resamples of runs of the same seeds."""
+    runs = study.config.ablation_runs
+    default, resampling = study.config.population(runs), Resampling.draw(runs, rng)
     for variant in ablation.variants():
-        is_default = variant.settings(default) == default
-        kept = study.learned(study.config.ablation_runs, variant)
-        yield ablation.measure_row(variant, is_default, study.sampled(kept))
+        settings = variant.settings(default)
+        sample = _sampled(study.learned(settings), resampling)
+        yield ablation.measure_row(variant, settings == default, sample)
+
+
+def _sampled(kept: tuple[Kept, Kept], resampling: Resampling) -> Sample:
+    """Both populations' curves, resampled."""
+    return Sample.of(*(one.population for one in kept), resampling)
+
+
+def _timing(kept: tuple[Kept, Kept], speed: Speed) -> Timing:
+    n_actions = sum(int(one.population.n_actions.sum(dtype=np.int64)) for one in kept)
+    seconds = sum(one.seconds for one in kept)
+    return Timing(seconds, tuple(sorted({one.jobs for one in kept})), n_actions, speed)
 
 
 def _presentations(recording: Recording) -> tuple[int, int]:
@@ -145,7 +147,7 @@ def _live_runs(
     if live is None:
         return None
     settings = PopulationSettings()
-    return live_check.read_live(live, config.trials, settings, recording.key.config)
+    return live_check.read_live(live, config.trials, settings, recording.key)
 
 
 def _compared(
@@ -154,7 +156,7 @@ def _compared(
     return None if found is None else live_check.check(found, recorded.population, rng)
 
 
-def _write_figures(folder: Reproduction, results: Results) -> None:
+def _write_figures(folder: ReportFolder, results: Results) -> None:
     cap = PopulationSettings().max_actions
     best = results.optimum
     made = list(pictures.published(results.sample, best, results.config, cap))

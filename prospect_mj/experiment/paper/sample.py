@@ -12,6 +12,7 @@ from prospect_mj.experiment.paper.bands import (
     Interval,
     RunCounts,
     interval,
+    resampling_weights,
 )
 from prospect_mj.experiment.paper.population import Population
 
@@ -25,6 +26,20 @@ class Pair(NamedTuple):
     """With one: after pretraining."""
 
 
+class Resampling(NamedTuple):
+    """Weights of the runs in every resample, to be used for all that is compared."""
+
+    baseline: Floats
+    """(b, runs) without a dominant hand."""
+    dominant: Floats
+    """(b, runs) with one."""
+
+    @classmethod
+    def draw(cls, runs: int, rng: np.random.Generator) -> Self:
+        """Draw as many runs as there are, again and again, in either scenario."""
+        return cls(*(resampling_weights(runs, rng) for _ in cls._fields))
+
+
 class Sample(NamedTuple):
     """Curves as they are, and resampled."""
 
@@ -35,12 +50,13 @@ class Sample(NamedTuple):
 
     @classmethod
     def of(
-        cls, baseline: Population, dominant: Population, rng: np.random.Generator
+        cls, baseline: Population, dominant: Population, resampling: Resampling
     ) -> Self:
         """Count and resample the runs of both scenarios."""
         counts = RunCounts.of(baseline), RunCounts.of(dominant)
-        mean = Pair(*(count.mean() for count in counts))
-        return cls(mean, Pair(*(count.resampled(rng) for count in counts)))
+        pairs = zip(counts, resampling, strict=True)
+        resampled = Pair(*(count.weighted(weights) for count, weights in pairs))
+        return cls(Pair(*(count.mean() for count in counts)), resampled)
 
 
 Measure = Callable[[Pair], Floats]

@@ -55,9 +55,6 @@ class PopulationSettings:
     """A trial is cut off after this many actions."""
     bootstrap_at_truncation: bool = True
     """Whether the last action of a cut-off trial counts the value of what follows."""
-    initial_sd: float = 0.0
-    """Standard deviation of the normal distribution, of mean zero, that every initial
-    weight is drawn from [actions]; 0: all weights are zero."""
     image_noise: float = 0.0
     """Standard deviation of normal noise [1] that every trial adds to each bin of the
     scaled histogram. A bin falls to zero at most; the noisy histogram is then scaled
@@ -76,7 +73,6 @@ class PopulationSettings:
             raise InvalidValue(
                 "bootstrap at truncation", self.bootstrap_at_truncation, "true or false"
             )
-        check_number("deviation of initial weights", self.initial_sd, 0, 1000)
         check_number("image noise", self.image_noise, 0, 10)
         if self.presentations is not None:
             check_integer("presentations of a side", self.presentations, 1, _MOST)

@@ -1,44 +1,74 @@
-"""The agent's stages after its pretraining, to be compared with the order in infants.
-
-The numbers of McCarty, Clifton and Collard (1999) are not at hand, so that nothing but
-the order told by Wheeler, Fagg and Grupen (2002, sections 2 and 3.2) is compared.
-"""
+"""The agent's stages after its pretraining, to be compared with the ages of infants."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from prospect_mj.experiment.learning_curve import BLOCK
-from prospect_mj.experiment.paper.bands import Curves, Floats, Interval, interval
+from prospect_mj.experiment.paper.bands import (
+    Curves,
+    Floats,
+    Interval,
+    interval,
+    mean_of_sets,
+)
 from prospect_mj.experiment.paper.sample import Sample
-from prospect_mj.experiment.paper.strategies import Strategy
+from prospect_mj.experiment.paper.strategies import Grip, Strategy
 
 _LONGEST = 10
 """Sets of a stage, where there are enough."""
 
 
+class Shares(NamedTuple):
+    """Mean shares (b,) over the sets of a stage, b times resampled."""
+
+    nonradial: Floats
+    """Of nonradial first grasps in those of difficult trials."""
+    easy_nonradial: Floats
+    """The same in easy trials."""
+    optimal: Floats
+    """Of the optimal strategy in difficult trials."""
+    early: Floats
+    """Of early corrections in difficult trials."""
+    late: Floats
+    """Of late corrections in difficult trials."""
+    other: Floats
+    """Of anything else in difficult trials, those cut off among it."""
+    preference: Floats
+    """Of early corrections in all corrections of difficult trials; NaN without any."""
+    easy_optimal: Floats
+    """Of the optimal strategy in easy trials."""
+
+
 @dataclass(frozen=True)
 class Stage:
-    """Mean shares over successive sets of ten trials."""
+    """Successive sets of ten trials."""
 
     first: int
     """First trial."""
     last: int
     """Last trial."""
-    easy_optimal: Interval
-    """Share of the optimal strategy in easy trials."""
-    optimal: Interval
-    """The same in difficult ones."""
-    early: Interval
-    """Share of early corrections in difficult trials."""
-    late: Interval
-    """Share of late ones."""
-    preference: Interval
-    """Share of early ones in all corrections of difficult trials."""
+    mean: Shares
+    """b = 1."""
+    resampled: Shares
+    """As many runs, drawn with replacement."""
+
+    def measured(self, name: str) -> Interval:
+        """One of the shares, with its interval."""
+        return interval(getattr(self.mean, name)[0], getattr(self.resampled, name))
 
 
-def stages(sample: Sample) -> tuple[Stage, Stage, Stage]:
-    """The beginning after pretraining, the height of corrections, and the end.
+class Stages(NamedTuple):
+    """The beginning after pretraining, the height of corrections, and the end."""
+
+    beginning: Stage
+    height: Stage
+    end: Stage
+
+
+def stages(sample: Sample) -> Stages:
+    """Find the stages.
 
     Args:
         sample: of which the runs with a dominant hand are looked at. A stage is a
@@ -48,7 +78,7 @@ def stages(sample: Sample) -> tuple[Stage, Stage, Stage]:
     switch, n_sets = mean.switch, mean.actions.shape[1]
     length = min(_LONGEST, (n_sets - switch) // 3)
     starts = switch, _height(mean, length), n_sets - length
-    return tuple(_stage(sample, start, start + length) for start in starts)
+    return Stages(*(_stage(sample, start, start + length) for start in starts))
 
 
 def _height(mean: Curves, length: int) -> int:
@@ -62,19 +92,35 @@ def _height(mean: Curves, length: int) -> int:
 
 def _stage(sample: Sample, start: int, end: int) -> Stage:
     """Sets `start` up to but not `end`."""
-    (once, many) = (
+    once, many = (
         _shares(curves.dominant, start, end)
         for curves in (sample.mean, sample.resampled)
     )
-    measured = (interval(o[0], m) for o, m in zip(once, many, strict=True))
-    return Stage(BLOCK * start, BLOCK * end - 1, *measured)
+    return Stage(BLOCK * start, BLOCK * end - 1, once, many)
 
 
-def _shares(curves: Curves, start: int, end: int) -> tuple[Floats, ...]:
-    """What a stage shows, each (b,), in its order."""
-    easy = np.nanmean(curves.easy[:, Strategy.OPTIMAL, start:end], axis=1)
-    difficult = np.nanmean(curves.difficult[:, :, start:end], axis=2)
+def _shares(curves: Curves, start: int, end: int) -> Shares:
+    """What a stage shows."""
+    grips, easy_grips, easy, difficult = (
+        mean_of_sets(shares[:, :, start:end])
+        for shares in (
+            curves.difficult_grips,
+            curves.easy_grips,
+            curves.easy,
+            curves.difficult,
+        )
+    )
     early, late = difficult[:, Strategy.EARLY], difficult[:, Strategy.LATE]
     both = early + late
-    preference = np.divide(early, both, out=np.full_like(both, np.nan), where=both > 0)
-    return easy, difficult[:, Strategy.OPTIMAL], early, late, preference
+    return Shares(
+        nonradial=grips[:, Grip.NONRADIAL],
+        easy_nonradial=easy_grips[:, Grip.NONRADIAL],
+        optimal=difficult[:, Strategy.OPTIMAL],
+        early=early,
+        late=late,
+        other=difficult[:, Strategy.OTHER],
+        preference=np.divide(
+            early, both, out=np.full_like(both, np.nan), where=both > 0
+        ),
+        easy_optimal=easy[:, Strategy.OPTIMAL],
+    )

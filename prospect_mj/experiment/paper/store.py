@@ -1,14 +1,15 @@
 """Populations that are kept on disk, so that a study goes on where it was stopped.
 
 A file is known by the digest of all that decides its numbers: scenario, settings, the
-recording's outcomes, and the code of the learner and of what is below it.
+recording's outcomes, the code of the learner and of what is below it, and the versions
+of the packages that compute them.
 """
 
 import inspect
 import json
 import time
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from types import ModuleType
 
@@ -17,29 +18,42 @@ import pyarrow as pa
 from pyarrow.lib import ArrowException
 
 from prospect_mj import tables
-from prospect_mj.agent import features
+from prospect_mj.agent import features, linear_q
 from prospect_mj.agent.storage import replace_file
 from prospect_mj.errors import ForeignTable, RunFolderError
 from prospect_mj.experiment.paper import (
+    compiled_learner,
     kernel,
     outcome_graph,
     population,
     programme,
+    scenario,
     strategies,
 )
 from prospect_mj.experiment.paper.population import Population, run_population
 from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
-from prospect_mj.recording.provenance import code_digest, sha256, source_digest
+from prospect_mj.recording.provenance import (
+    code_digest,
+    installed_versions,
+    sha256,
+    source_digest,
+)
 from prospect_mj.recording.recording import Recording
 
-_CODE: Sequence[ModuleType] = (
+CODE: Sequence[ModuleType] = (
     features,
+    linear_q,
+    compiled_learner,
     kernel,
     outcome_graph,
     population,
     programme,
+    scenario,
     strategies,
 )
+"""Beside all code below the learner."""
+PACKAGES = ("numpy", "numba")
+_KEPT = [field.name for field in fields(Population) if field.name != "scenario"]
 _SCHEMA = pa.schema(
     {
         "run": pa.int32(),
@@ -48,9 +62,13 @@ _SCHEMA = pa.schema(
         "n_actions": pa.int8(),
         "solved": pa.bool_(),
         "strategy": pa.int8(),
+        "first_hand": pa.int8(),
+        "seconds": pa.float32(),
+        "jobs": pa.int16(),
     }
 )
-_SECONDS_SCHEMA = pa.schema({"seconds": pa.float64()})
+"""A trial of a run, as `Population` has it; the wall time in which all runs learned [s]
+and the threads that they had are the same in every row."""
 
 
 @dataclass(frozen=True)
@@ -60,6 +78,8 @@ class Kept:
     population: Population
     seconds: float
     """Wall time when it was computed [s]."""
+    jobs: int
+    """Threads that it had then."""
 
 
 class Store:
@@ -72,10 +92,21 @@ class Store:
     """
 
     def __init__(self, folder: Path, recording: Recording, jobs: int) -> None:
-        """Open the folder."""
-        folder.mkdir(parents=True, exist_ok=True)
+        """Open the folder.
+
+        Raises:
+            RunFolderError: if it can't be made.
+        """
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise RunFolderError(f"{folder} can't be made: {error.strerror}") from error
         self._folder, self._recording, self._jobs = folder, recording, jobs
-        self._base = {"recording": recording_digest(recording), "code": _code()}
+        self._base = {
+            "recording": recording_digest(recording),
+            "code": code(),
+            "versions": installed_versions(PACKAGES),
+        }
 
     def get(self, scenario: Scenario, settings: PopulationSettings) -> Kept:
         """Read a population, or let it learn and keep it.
@@ -87,13 +118,11 @@ class Store:
         digest = sha256(json.dumps(self._base | settled, sort_keys=True).encode())
         path = self._folder / f"{digest[:16]}.parquet"
         if path.exists():
-            seconds = _read(_seconds_path(path), _SECONDS_SCHEMA, digest)
-            rows = _read(path, _SCHEMA, digest)
-            return Kept(_population(rows, scenario), seconds["seconds"][0].as_py())
+            return _kept(_read(path, digest), scenario)
         began = time.perf_counter()
         learned = run_population(self._recording, scenario, settings, self._jobs)
-        kept = Kept(learned, time.perf_counter() - began)
-        _write(path, digest, kept)
+        kept = Kept(learned, time.perf_counter() - began, self._jobs)
+        replace_file(path, tables.parquet(_rows(kept), digest, "zstd"))
         return kept
 
 
@@ -116,48 +145,42 @@ def recording_digest(recording: Recording) -> str:
     return sha256(json.dumps(parts).encode())
 
 
-def _code() -> str:
+def code() -> str:
     """Digest of the code that decides what is learned."""
-    learner = ((module.__name__, inspect.getsource(module)) for module in _CODE)
+    learner = ((module.__name__, inspect.getsource(module)) for module in CODE)
     return sha256(f"{code_digest(learner)} {source_digest()}".encode())
 
 
-def _seconds_path(path: Path) -> Path:
-    return path.with_name(f"{path.stem}-seconds.parquet")
-
-
-def _write(path: Path, digest: str, kept: Kept) -> None:
-    """Keep a population; its own file comes last, as it is what is looked for."""
-    seconds = pa.table({"seconds": [kept.seconds]}, schema=_SECONDS_SCHEMA)
-    replace_file(_seconds_path(path), tables.parquet(seconds, digest))
+def _rows(kept: Kept) -> pa.Table:
+    """A population as a table."""
     learned = kept.population
-    run, trial = np.indices(learned.lid.shape, np.int32)
+    shape = learned.lid.shape
+    run, trial = np.indices(shape, np.int32)
     columns = {
         "run": run,
         "trial": trial,
-        "lid": learned.lid,
-        "n_actions": learned.n_actions,
-        "solved": learned.solved,
-        "strategy": learned.strategy,
+        **{name: getattr(learned, name) for name in _KEPT},
+        "seconds": np.full(shape, kept.seconds, np.float32),
+        "jobs": np.full(shape, kept.jobs, np.int16),
     }
     rows = {name: values.ravel() for name, values in columns.items()}
-    content = tables.parquet(pa.table(rows, schema=_SCHEMA), digest, "zstd")
-    replace_file(path, content)
+    return pa.table(rows, schema=_SCHEMA)
 
 
-def _read(path: Path, schema: pa.Schema, digest: str) -> pa.Table:
+def _read(path: Path, digest: str) -> pa.Table:
     try:
-        return tables.read(path, schema, digest, of="study")
+        return tables.read(path, _SCHEMA, digest, of="study")
     except ForeignTable as error:
         raise RunFolderError(str(error)) from error
-    except (OSError, ArrowException) as error:
+    except (OSError, ValueError, ArrowException) as error:
         raise RunFolderError(
             f"{path} can't be read: it is damaged; move it away and run again"
         ) from error
 
 
-def _population(rows: pa.Table, scenario: Scenario) -> Population:
+def _kept(rows: pa.Table, scenario: Scenario) -> Kept:
+    """The population of a table."""
     shape = (-1, scenario.trials)
-    names = ("lid", "n_actions", "solved", "strategy")
-    columns = (rows[name].to_numpy().reshape(shape) for name in names)
-    return Population(scenario, *columns)
+    columns = (rows[name].to_numpy().reshape(shape) for name in _KEPT)
+    seconds, jobs = rows["seconds"][0].as_py(), rows["jobs"][0].as_py()
+    return Kept(Population(scenario, *columns), seconds, jobs)

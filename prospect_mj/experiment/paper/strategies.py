@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.actions.action import Action
-from prospect_mj.recording.arrays import LEFT, RIGHT
+from prospect_mj.recording.arrays import LEFT, NONE, RIGHT
 from prospect_mj.task.presentation import Orientation
 
 Booleans = NDArray[np.bool_]
@@ -36,6 +36,15 @@ class Strategy(IntEnum):
     """First grasped by the wrong hand; an insertion failed."""
     OTHER = 3
     """Anything else, an unsolved trial among it."""
+
+
+class Grip(IntEnum):
+    """How the first grasp of a trial took the jar, or tried to."""
+
+    RADIAL = 0
+    """By the hand on the lid's side."""
+    NONRADIAL = 1
+    """By the other hand."""
 
 
 def classify(
@@ -62,21 +71,43 @@ def classify(
     solved = (executed & inserted).any(axis=-1)
     swapped = (executed & np.isin(actions, _SWAPS)).any(axis=-1)
     failed = (executed & np.isin(actions, _INSERTIONS) & ~inserted).any(axis=-1)
-    hand = _first_hand(actions, executed)
-    wrong = solved & (hand == LEFT + RIGHT - np.asarray(lid))
-    right = solved & (hand == lid) & ~swapped
+    grip = first_grip(lid, first_hand(actions, executed))
+    wrong = solved & (grip == Grip.NONRADIAL)
+    right = solved & (grip == Grip.RADIAL) & ~swapped
     kinds = [right, wrong & failed, wrong]
     names = [Strategy.OPTIMAL, Strategy.LATE, Strategy.EARLY]
     return np.select(kinds, names, Strategy.OTHER).astype(np.int8)
 
 
-def _first_hand(actions: NDArray[np.int8], executed: Booleans) -> NDArray[np.int64]:
-    """(...): the hand of the first executed grasp; 0 where there was none."""
-    hands = np.zeros(actions.shape, np.int64)
+def first_hand(actions: NDArray[np.int8], executed: Booleans) -> NDArray[np.int8]:
+    """The hand of the first executed grasp, whatever came of it.
+
+    Args:
+        actions: (..., max_actions); after the last one anything.
+        executed: (..., max_actions), whether an action was run; false after the last.
+
+    Returns:
+        (...), LEFT or RIGHT, or NONE where there was no grasp.
+    """
+    hands = np.full(actions.shape, NONE, np.int8)
     for grasp, hand in _GRASPING_HAND.items():
         hands[executed & (actions == grasp)] = hand
-    first = (hands != 0).argmax(axis=-1)[..., None]
+    first = (hands != NONE).argmax(axis=-1)[..., None]
     return np.take_along_axis(hands, first, axis=-1)[..., 0]
+
+
+def first_grip(lid: NDArray[np.int8], hand: NDArray[np.int8]) -> NDArray[np.int8]:
+    """How the first grasp took the jar.
+
+    Args:
+        lid: (...), the lid's side, LEFT or RIGHT.
+        hand: (...), the hand of the first grasp, or NONE.
+
+    Returns:
+        (...), numbers of `Grip`, or -1 without a grasp.
+    """
+    grip = np.where(hand == lid, Grip.RADIAL, Grip.NONRADIAL)
+    return np.where(hand == NONE, -1, grip).astype(np.int8)
 
 
 def easy(lid: NDArray[np.int8], dominant: Orientation) -> Booleans:

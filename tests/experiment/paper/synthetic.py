@@ -3,6 +3,7 @@
 import numpy as np
 
 from prospect_mj.experiment.paper.population import Population
+from prospect_mj.experiment.paper.sample import Resampling, Sample
 from prospect_mj.experiment.paper.scenario import Scenario
 from prospect_mj.experiment.paper.strategies import Strategy
 from prospect_mj.recording.arrays import LEFT, RIGHT
@@ -12,11 +13,16 @@ ACTIONS = np.array([2, 3, 4, 10], np.int8)
 
 
 def of_strategies(strategy, lid, scenario):
-    """The population whose trials (runs, trials) had these strategies."""
+    """The population whose trials (runs, trials) had these strategies.
+
+    A trial that is cut off begins with the right hand, as an optimal one does.
+    """
     strategy = np.asarray(strategy, np.int8)
     solved = strategy != Strategy.OTHER
     lid = np.broadcast_to(np.asarray(lid, np.int8), strategy.shape)
-    return Population(scenario, lid, ACTIONS[strategy], solved, strategy)
+    corrected = (strategy == Strategy.EARLY) | (strategy == Strategy.LATE)
+    hand = np.where(corrected, LEFT + RIGHT - lid, lid).astype(np.int8)
+    return Population(scenario, lid, ACTIONS[strategy], solved, strategy, hand)
 
 
 def improving(runs, scenario, seed, speed=1.0):
@@ -46,3 +52,9 @@ def pair(runs=40, trials=1000, seed=0):
         improving(runs, Scenario(trials), seed),
         improving(runs, Scenario(trials, 400), seed + 1),
     )
+
+
+def sampled(baseline, dominant, seed=0):
+    """Both populations with resamples of their runs."""
+    rng = np.random.default_rng(seed)
+    return Sample.of(baseline, dominant, Resampling.draw(len(baseline.lid), rng))

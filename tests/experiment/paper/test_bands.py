@@ -1,13 +1,25 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from synthetic import of_strategies, pair
 
-from prospect_mj.experiment.paper.bands import RunCounts, band, interval
+from prospect_mj.experiment.paper.bands import (
+    RunCounts,
+    band,
+    interval,
+    mean_of_sets,
+    resampling_weights,
+)
 from prospect_mj.experiment.paper.scenario import Scenario
 from prospect_mj.experiment.paper.strategies import Strategy
-from prospect_mj.recording.arrays import LEFT, RIGHT
+from prospect_mj.recording.arrays import LEFT, NONE, RIGHT
 
 OPTIMAL, EARLY, LATE, OTHER = Strategy
+
+
+def resampled(counts, rng, n):
+    return counts.weighted(resampling_weights(len(counts.actions), rng, n))
 
 
 def by_hand():
@@ -28,10 +40,21 @@ def test_counts_of_a_population_by_hand():
     np.testing.assert_allclose(mean.easy[0, :, 1], [2 / 4, 0, 2 / 4, 0])
     np.testing.assert_allclose(mean.difficult[0, :, 1], [3 / 16, 0, 13 / 16, 0])
     assert np.isnan(mean.difficult[0, :, 0]).all()
+    # First grasps: in the first set ten of twenty trials are early corrections.
+    np.testing.assert_allclose(mean.easy_grips[0, :, 0], [0.5, 0.5])
+    np.testing.assert_allclose(mean.difficult_grips[0, :, 1], [3 / 16, 13 / 16])
+
+
+def test_a_trial_without_a_grasp_has_no_grip():
+    population = of_strategies([[OTHER] * 10], RIGHT, Scenario(10))
+    hand = population.first_hand.copy()
+    hand[0, :4], hand[0, 4:6] = NONE, LEFT
+    mean = RunCounts.of(replace(population, first_hand=hand)).mean()
+    np.testing.assert_allclose(mean.easy_grips[0, :, 0], [4 / 6, 2 / 6])
 
 
 def test_shares_of_all_strategies_add_up_to_one():
-    curves = RunCounts.of(pair()[1]).resampled(np.random.default_rng(0), 50)
+    curves = resampled(RunCounts.of(pair()[1]), np.random.default_rng(0), 50)
     np.testing.assert_allclose(curves.easy.sum(axis=1), 1)
     np.testing.assert_allclose(curves.difficult[..., 40:].sum(axis=1), 1)
     assert np.isnan(curves.difficult[..., :40]).all()
@@ -40,7 +63,7 @@ def test_shares_of_all_strategies_add_up_to_one():
 def test_resamples_spread_as_the_mean_of_so_many_runs_does():
     population = pair(runs=200)[0]
     counts = RunCounts.of(population)
-    many = counts.resampled(np.random.default_rng(1), 4000).actions
+    many = resampled(counts, np.random.default_rng(1), 4000).actions
     standard_error = counts.actions.std(axis=0) / np.sqrt(200)
     np.testing.assert_allclose(many.mean(axis=0), counts.mean().actions[0], rtol=0.01)
     np.testing.assert_allclose(many.std(axis=0), standard_error, rtol=0.06)
@@ -49,7 +72,7 @@ def test_resamples_spread_as_the_mean_of_so_many_runs_does():
 def test_runs_that_are_all_alike_leave_no_doubt():
     strategy = np.full((5, 20), LATE)
     counts = RunCounts.of(of_strategies(strategy, RIGHT, Scenario(20)))
-    low, high = band(counts.resampled(np.random.default_rng(0), 100).actions)
+    low, high = band(resampled(counts, np.random.default_rng(0), 100).actions)
     np.testing.assert_allclose([low, high], 4)
 
 
@@ -58,22 +81,35 @@ def test_intervals_cover_the_truth_about_as_often_as_they_say():
     for _ in range(200):
         strategy = np.where(rng.random((60, 10)) < 0.7, OPTIMAL, OTHER)
         counts = RunCounts.of(of_strategies(strategy, RIGHT, Scenario(10)))
-        low, high = band(counts.resampled(rng, 400).actions[:, 0])
+        low, high = band(resampled(counts, rng, 400).actions[:, 0])
         covered += low <= 0.7 * 2 + 0.3 * 10 <= high
     # Binomial: 190 expected, standard deviation 3.
     assert 178 <= covered <= 199
 
 
 def test_an_interval_may_reach_to_infinity():
-    resampled = np.array([10.0] * 90 + [np.inf] * 10)
-    assert interval(10.0, resampled) == (10.0, 10.0, np.inf)
+    many = np.array([10.0] * 90 + [np.inf] * 10)
+    assert interval(10.0, many) == (10.0, 10.0, np.inf, 0.0)
+
+
+def test_a_resample_that_lacks_it_leaves_the_interval_to_the_others():
+    many = np.array([10.0] * 45 + [20.0] * 45 + [np.nan] * 10)
+    assert interval(15.0, many) == pytest.approx((15.0, 10.0, 20.0, 0.1))
+    none = interval(np.nan, np.full(5, np.nan))
+    assert np.isnan(none[:3]).all()
+    assert none.lacking == 1
+
+
+def test_a_mean_of_sets_passes_over_those_without_a_trial():
+    shares = np.array([[0.2, np.nan, 0.4], [np.nan] * 3])
+    np.testing.assert_allclose(mean_of_sets(shares), [0.3, np.nan])
 
 
 def test_the_same_seed_gives_the_same_band():
     counts = RunCounts.of(pair()[0])
-    once, again = (counts.resampled(np.random.default_rng(3), 20) for _ in range(2))
+    once, again = (resampled(counts, np.random.default_rng(3), 20) for _ in range(2))
     np.testing.assert_array_equal(once.actions, again.actions)
-    other = counts.resampled(np.random.default_rng(4), 20)
+    other = resampled(counts, np.random.default_rng(4), 20)
     assert (once.actions != other.actions).any()
 
 

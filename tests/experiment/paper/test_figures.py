@@ -1,8 +1,9 @@
 import cv2
 import numpy as np
+import pyarrow as pa
 import pyarrow.compute as pc
 import pytest
-from synthetic import pair
+from synthetic import pair, sampled
 
 from prospect_mj.experiment.paper import figures, pictures
 from prospect_mj.experiment.paper.figure_tables import (
@@ -11,22 +12,22 @@ from prospect_mj.experiment.paper.figure_tables import (
     strategy_table,
 )
 from prospect_mj.experiment.paper.figures import Heading, Mark
-from prospect_mj.experiment.paper.optimum import Optimum
-from prospect_mj.experiment.paper.reproduction import ReproduceConfig
-from prospect_mj.experiment.paper.sample import Sample
+from prospect_mj.experiment.paper.optimum import BySide, Optimum
+from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
 
 HEADING = Heading("Title", "mean of many", 400)
 
 
 @pytest.fixture(scope="module")
 def sample():
-    return Sample.of(*pair(), np.random.default_rng(0))
+    return sampled(*pair())
 
 
 @pytest.fixture(scope="module")
 def made(sample):
     config = ReproduceConfig(runs=40)
-    found = pictures.published(sample, Optimum(2.0, 2.5), config, 10)
+    best = Optimum(BySide(2.0, 2.5), BySide(0.75, 1.0))
+    found = pictures.published(sample, best, config, 10)
     return {picture.name: picture for picture in found}
 
 
@@ -71,6 +72,20 @@ def test_figure_6_tells_every_strategy_and_both_corrections_together(made):
     assert table.num_rows == 100 * len(STRATEGIES)
 
 
+def test_figure_6_has_the_best_possible_share_as_a_line(made):
+    # Easy trials have the lid to the right, the dominant hand's side.
+    assert set(made["figure_6a"].table["optimum"].to_pylist()) == {1.0}
+    table = made["figure_6b"].table
+    assert set(table["optimum"].to_pylist()) == {0.75}
+    image = picture(figures.strategies(table, HEADING))
+    lower = pa.array(np.full(table.num_rows, 0.5))
+    moved = table.set_column(table.column_names.index("optimum"), "optimum", lower)
+    rows = np.flatnonzero((image != picture(figures.strategies(moved, HEADING))).any(2))
+    height = np.unique(rows // image.shape[1])
+    # The axis goes up to 1.2, and is drawn on 0.08 to 0.83 of the height.
+    assert height.min() == pytest.approx((0.83 - 0.79 / 1.2 * 0.75) * 675, abs=25)
+
+
 def test_there_are_no_difficult_trials_in_pretraining(made):
     assert pc.min(made["figure_6b"].table["trial"]).as_py() == 400
     assert pc.min(made["figure_6a"].table["trial"]).as_py() == 0
@@ -110,5 +125,5 @@ def test_marks_are_drawn_where_the_paper_says(sample):
 def test_a_set_without_such_a_trial_in_one_resample_is_left_out():
     mean, many = np.full((1, 4, 3), 0.25), np.full((5, 4, 3), 0.25)
     many[2, :, 1] = np.nan
-    table = strategy_table(mean, many)
+    table = strategy_table(mean, many, 1.0)
     assert set(table["trial"].to_pylist()) == {0, 20}

@@ -22,7 +22,7 @@ from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
 from prospect_mj.recording.recording import Recording
 from prospect_mj.supervisor.supervisor import Supervisor
 
-FAST = LearnerSettings(step_size=0.02, epsilon=0.1)
+FAST = LearnerSettings(step_size=0.02, epsilon=0.1, initial_sd=0.0)
 LEFT, RIGHT = HANDS
 
 
@@ -49,7 +49,7 @@ def assert_equal_learners(compiled, plain):
         {"bootstrap_at_truncation": False, "max_actions": 5},
         {"supervisor": "productive"},
         {"supervisor": "safe", "shaping": ("insert-left:40", "grasp-right:90")},
-        {"initial_sd": 1.0},
+        {"learner": LearnerSettings(step_size=0.02, initial_sd=1.0)},
         {"image_noise": 0.05},
     ],
     ids=lambda settings: "-".join(settings) or "default",
@@ -67,7 +67,8 @@ def test_compiled_learner_is_linear_q_on_a_recorded_task(odd, settings):
 def test_ties_are_broken_alike_through_whole_runs_of_the_papers_learner():
     # Equal pictures in many trials make equal values of different histories.
     once = recording(left=(ideal,), right=(ideal,))
-    programme = Programme(once, Scenario(400), PopulationSettings())
+    settings = PopulationSettings(learner=LearnerSettings(initial_sd=0.0))
+    programme = Programme(once, Scenario(400), settings)
     for number in range(6):
         compiled, plain = learn(programme, number), learn_plainly(programme, number)
         assert_equal_learners(compiled, plain)

@@ -1,10 +1,12 @@
 import shutil
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from ideal_env import IdealEnv
 from synthetic import improving, pair
 
+from prospect_mj.agent import LearnerSettings
 from prospect_mj.errors import InvalidValue, RunFolderError
 from prospect_mj.experiment import session
 from prospect_mj.experiment.config import TrainConfig
@@ -14,9 +16,12 @@ from prospect_mj.experiment.paper.live_runs import LiveRuns
 from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
 from prospect_mj.experiment.run_folder import RunFolder
 from prospect_mj.recording.config import RecordingConfig
-from prospect_mj.recording.workers import Workers
+from prospect_mj.recording.key import RecordingKey
+from prospect_mj.recording.provenance import model_digests, source_digest
 
-DEFAULT, PHYSICS = PopulationSettings(), RecordingConfig()
+DEFAULT = PopulationSettings()
+SHA256 = model_digests() | {"sources": source_digest()}
+PHYSICS = RecordingKey(RecordingConfig(), SHA256, {}, {})
 
 
 def quiet(words):
@@ -77,6 +82,7 @@ def test_fewer_trials_are_the_first_ones(runs):
         {"gross_motion": "cartesian"},
         {"bootstrap_at_truncation": False},
         {"max_actions": 9},
+        {"learner": LearnerSettings(initial_sd=0.0)},
     ],
     ids=lambda settings: next(iter(settings)),
 )
@@ -85,6 +91,31 @@ def test_runs_with_other_settings_are_refused(tmp_path, settings):
     (name,) = settings
     with pytest.raises(RunFolderError, match=name.replace("_", " ")):
         read_live(tmp_path, 6, DEFAULT, PHYSICS)
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [{"image_noise": 0.05}, {"presentations": 1}],
+    ids=lambda settings: next(iter(settings)),
+)
+def test_populations_that_training_can_not_be_like_are_refused(runs, settings):
+    (name,) = settings
+    with pytest.raises(RunFolderError, match=name.replace("_", " ")):
+        read_live(runs, 10, replace(DEFAULT, **settings), PHYSICS)
+
+
+@pytest.mark.parametrize("name", SHA256)
+def test_runs_of_other_physics_than_was_recorded_are_refused(runs, name):
+    other = replace(PHYSICS, sha256=SHA256 | {name: "another digest"})
+    with pytest.raises(RunFolderError, match=f"{name} changed"):
+        read_live(runs, 10, DEFAULT, other)
+
+
+def test_a_run_that_is_there_twice_is_refused(tmp_path, runs):
+    shutil.copytree(runs / "seed-0", tmp_path / "seed-0")
+    shutil.copytree(runs / "seed-0", tmp_path / "seed-1")
+    with pytest.raises(RunFolderError, match=r"seed-1 .* has the seed of seed-0, 0"):
+        read_live(tmp_path, 10, DEFAULT, PHYSICS)
 
 
 def test_damaged_runs_and_folders_without_any_are_refused(tmp_path, runs):
@@ -151,12 +182,12 @@ def test_both_are_drawn():
 def test_making_live_runs_starts_and_resumes_and_leaves_what_is_finished(
     tmp_path, runs
 ):
-    wanted, workers = LiveRuns(3, 20), Workers(jobs=1)
+    wanted = LiveRuns(3, 20)
     (tmp_path / "all").mkdir()
     shutil.copytree(runs / "seed-0", tmp_path / "all" / "seed-0000")
     shutil.copytree(runs / "seed-2", tmp_path / "all" / "seed-0002")
     before = (tmp_path / "all" / "seed-0000" / "trials.parquet").stat()
-    done = list(live_runs.advance(wanted, tmp_path / "all", workers, IdealEnv))
+    done = list(live_runs.advance(wanted, tmp_path / "all", 1, IdealEnv))
     assert sorted(path.name for path in done) == ["seed-0000", "seed-0001", "seed-0002"]
     after = (tmp_path / "all" / "seed-0000" / "trials.parquet").stat()
     assert after.st_mtime_ns == before.st_mtime_ns
@@ -168,7 +199,7 @@ def test_making_live_runs_starts_and_resumes_and_leaves_what_is_finished(
 
 
 def test_making_live_runs_says_nothing_of_each(tmp_path, capsys):
-    list(live_runs.advance(LiveRuns(1, 3), tmp_path, Workers(jobs=1), IdealEnv))
+    list(live_runs.advance(LiveRuns(1, 3), tmp_path, 1, IdealEnv))
     said = capsys.readouterr()
     assert said.out == said.err == ""
 

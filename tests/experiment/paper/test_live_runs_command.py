@@ -10,7 +10,7 @@ from prospect_mj.cli import live_runs as command
         ("--runs -1", "runs is -1"),
         ("--trials 0", "trials is 0"),
         ("--jobs 0", "jobs is 0"),
-        ("--backend dask", "dask"),
+        ("--backend ray", "--backend"),
     ],
 )
 def test_bad_input_is_one_line_and_exit_code_2(

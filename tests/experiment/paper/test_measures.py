@@ -1,31 +1,32 @@
 import numpy as np
 import pytest
-from synthetic import pair
+from synthetic import pair, sampled
 
 from prospect_mj.experiment.learning_curve import near_optimal_trial
-from prospect_mj.experiment.paper import measures, statements
+from prospect_mj.experiment.paper import corrections, measures, statements
 from prospect_mj.experiment.paper.bands import Curves
 from prospect_mj.experiment.paper.sample import (
     Pair,
-    Sample,
     definition,
     estimate,
     title,
 )
 
 SWITCH = 4
-INF = np.inf
+INF, NAN = np.inf, np.nan
 
 
 def curves(actions, easy=None, difficult=None, unsolved=None, switch=SWITCH):
     """Curves of one resample; `easy`, `difficult`: (4, s) shares."""
     n = len(actions)
-    none = np.zeros((4, n))
+    none, grips = np.zeros((4, n)), np.zeros((1, 2, n))
     return Curves(
         np.array([actions], float),
         np.array([np.zeros(n) if unsolved is None else unsolved], float),
         np.array([none if easy is None else easy], float),
         np.array([none if difficult is None else difficult], float),
+        grips,
+        grips,
         switch,
     )
 
@@ -91,7 +92,11 @@ def test_a_fall_at_half_the_speed_takes_twice_as_long():
 def test_relearning_is_counted_from_the_first_random_orientation():
     pair = on_actions([9, 9, 9, 9, 2], [9, 2, 2, 2, 6, 2])
     assert measures.relearning_ratio(pair) == [0.25]
-    assert measures.relearning_ratio(on_actions([9, 9], [2] * 6)) == [INF]
+    assert measures.relearning_ratio(on_actions([9, 2], [9] * 6)) == [INF]
+    # Nothing to compare with: it never came, or was there from the start.
+    for without in ([9, 9], [2, 2]):
+        ratio = measures.relearning_ratio(on_actions(without, [2] * 6))
+        assert np.isnan(ratio).all()
 
 
 def easy(optimal):
@@ -106,8 +111,10 @@ def test_the_drop_is_from_before_the_switch_to_the_lowest_set_after_it():
     np.testing.assert_allclose(measures.easy_regained(pair), [(0.7125 - 0.5) / 0.2])
 
 
-def test_no_drop_regains_nothing_finite():
-    assert measures.easy_regained(on_shares(easy([0.5] * 8))) == [INF]
+@pytest.mark.parametrize("after", [0.5, 0.6])
+def test_without_a_drop_nothing_can_be_regained(after):
+    optimal = [0.5] * SWITCH + [after] * SWITCH
+    assert np.isnan(measures.easy_regained(on_shares(easy(optimal)))).all()
 
 
 def difficult(optimal, early, late):
@@ -122,11 +129,17 @@ def test_the_margin_is_the_smallest_lead_after_the_switch():
     shares = difficult(
         [*nothing, 0.1, 0.4, 0.9], [*nothing, 0, 0.1, 0.05], [*nothing, 0.02, 0.2, 0]
     )
-    margin = measures.correction_margin(on_shares(difficult=shares))
+    margin = corrections.correction_margin(on_shares(difficult=shares))
     np.testing.assert_allclose(margin, [0.1 - 0.02])
     dominated = difficult([*nothing, 0.1], [*nothing, 0.1], [*nothing, 0.2])
-    margin = measures.correction_margin(on_shares(difficult=dominated))
+    margin = corrections.correction_margin(on_shares(difficult=dominated))
     np.testing.assert_allclose(margin, [-0.2])
+
+
+def on_corrections(early, late):
+    """Shares after the pretraining, in which there are no difficult trials."""
+    early, late = ([0] * SWITCH + shares for shares in (early, late))
+    return on_shares(difficult=difficult([0] * len(early), early, late))
 
 
 @pytest.mark.parametrize(
@@ -134,18 +147,53 @@ def test_the_margin_is_the_smallest_lead_after_the_switch():
     [
         ([0.1, 0.02, 0.0], [0.2, 0.1, 0.01], (50, 60, 10)),
         ([0.1, 0.01, 0.1], [0.2, 0.0, 0.0], (INF, 50, -INF)),
-        ([0.0, 0.0, 0.0], [0.1, 0.1, 0.1], (0, INF, INF)),
-        ([0.1, 0.1, 0.1], [0.1, 0.1, 0.1], (INF, INF, 0)),
+        ([0.1, 0.1, 0.0], [0.1, 0.1, 0.1], (60, INF, INF)),
+        ([0.1, 0.1, 0.1], [0.1, 0.1, 0.1], (INF, INF, NAN)),
+        # What was never there is not gone at the start, let alone before the switch.
+        ([0.02, 0.0, 0.0], [0.1, 0.1, 0.0], (NAN, 60, NAN)),
+        ([0.0, 0.03, 0.0], [0.1, 0.0, 0.0], (60, 50, -10)),
     ],
 )
 def test_a_correction_is_gone_where_it_stays_away(early, late, gone):
-    nothing = [0] * SWITCH
-    pair = on_shares(
-        difficult=difficult([*nothing, 0, 0, 0], [*nothing, *early], [*nothing, *late])
-    )
-    assert measures.early_gone(pair) == [gone[0]]
-    assert measures.late_gone(pair) == [gone[1]]
-    assert measures.late_outlasts_early(pair) == [gone[2]]
+    pair = on_corrections(early, late)
+    found = [
+        corrections.early_gone(pair)[0],
+        corrections.late_gone(pair)[0],
+        corrections.late_outlasts_early(pair)[0],
+    ]
+    np.testing.assert_array_equal(found, gone)
+
+
+def test_a_correction_is_faded_at_a_quarter_of_its_own_largest_share():
+    # In means of five sets each is at a quarter of its largest where 0.25 is of 1.
+    falls = np.array([0.2] * 5 + [1.0] * 6 + [0.25] * 9)
+    sooner = np.array([0.2] * 5 + [1.0] * 5 + [0.25] * 10)
+    pair = on_corrections((0.04 * sooner).tolist(), (0.3 * falls).tolist())
+    assert corrections.early_largest(pair) == pytest.approx([0.04])
+    assert corrections.late_largest(pair) == pytest.approx([0.3])
+    assert corrections.early_faded(pair) == [10 * (SWITCH + 10)]
+    assert corrections.late_outlasts_early_relatively(pair) == [10]
+    # Ten times as much of one of them changes nothing; a fixed share is another matter.
+    more = on_corrections((0.4 * sooner).tolist(), (0.3 * falls).tolist())
+    assert corrections.late_outlasts_early_relatively(more) == [10]
+    assert corrections.late_outlasts_early(pair) == [INF]
+
+
+def test_one_noisy_set_does_not_make_the_largest_share():
+    early = [0.1] * 10 + [0.04] + [0.0] * 9
+    noisy = list(early)
+    noisy[3] = 0.3
+    late = [0.1] * 20
+    largest = corrections.early_largest(on_corrections(noisy, late))
+    assert largest == pytest.approx([(4 * 0.1 + 0.3) / 5])
+    assert corrections.late_faded(on_corrections(early, late)) == [INF]
+
+
+def test_a_correction_that_is_never_there_never_fades():
+    pair = on_corrections([0.0] * 8, [0.1, 0.1, *[0.0] * 6])
+    assert np.isnan(corrections.early_faded(pair)).all()
+    assert np.isnan(corrections.late_outlasts_early_relatively(pair)).all()
+    assert np.isfinite(corrections.late_faded(pair)).all()
 
 
 ALL = [s.measure for s in statements.STATEMENTS] + [m for m, _ in statements.FURTHER]
@@ -153,7 +201,7 @@ ALL = [s.measure for s in statements.STATEMENTS] + [m for m, _ in statements.FUR
 
 @pytest.fixture(scope="module")
 def sample():
-    return Sample.of(*pair(), np.random.default_rng(0))
+    return sampled(*pair())
 
 
 @pytest.mark.parametrize("measure", dict.fromkeys(ALL), ids=lambda m: m.__name__)
@@ -165,3 +213,4 @@ def test_a_measure_has_a_name_and_one_sentence_and_an_interval(measure, sample):
     found = estimate(measure, sample)
     assert measure(sample.resampled).shape == (2000,)
     assert found.low <= found.estimate <= found.high
+    assert found.lacking < 0.05

@@ -9,7 +9,14 @@ from ideal_recording import clumsy, ideal, one_handed, recording, unseen
 from prospect_mj import paths
 from prospect_mj.errors import RecordingError
 from prospect_mj.experiment.paper.kernel import Graph
-from prospect_mj.experiment.paper.optimum import Optimum, fewest_actions, optimum
+from prospect_mj.experiment.paper.optimum import (
+    BySide,
+    Optimum,
+    fewest_actions,
+    optimal_strategy_alone,
+    optimum,
+)
+from prospect_mj.experiment.paper.outcome_graph import recorded_graph
 from prospect_mj.recording.recording import Recording
 from prospect_mj.supervisor.supervisor import Supervisor
 
@@ -63,28 +70,57 @@ def test_dynamic_programming_finds_what_brute_force_finds():
 )
 def test_best_case_of_each_kind_of_presentation(kind, fewest):
     best = optimum(recording(6, left=(kind,), right=(kind,)), max_actions=6)
-    assert best == Optimum(fewest, fewest)
+    assert best.actions == BySide(fewest, fewest)
 
 
 def test_mean_over_presentations_and_both_sides():
     mixed = recording(6, left=(ideal, ideal, one_handed, one_handed), right=(unseen,))
     best = optimum(mixed, max_actions=6)
-    assert best == Optimum(left=2.5, right=6.0)
-    assert best.mean == 4.25
+    assert best.actions == BySide(left=2.5, right=6.0)
+    assert best.actions.mean == 4.25
+
+
+def test_the_optimal_strategy_is_the_best_where_the_lids_hand_can_do_it_alone():
+    # What can't be solved is not solved by it either; where only the other hand can
+    # lift the jar, it takes a nonradial grasp and a swap.
+    mixed = recording(6, left=(ideal, clumsy, one_handed, unseen), right=(one_handed,))
+    best = optimum(mixed, max_actions=6)
+    assert best.optimal == BySide(left=0.5, right=0.0)
+
+
+def test_a_last_action_that_solves_a_trial_is_told_from_none():
+    shown = recording(2, left=(ideal, unseen), right=(ideal,))
+    best = optimum(shown, max_actions=2)
+    assert best == Optimum(BySide(2.0, 2.0), BySide(0.5, 1.0))
+
+
+def test_alone_the_optimal_strategy_begins_with_its_hand_and_never_swaps():
+    shown = recording(4, left=(ideal,), right=(ideal,))
+    graph = recorded_graph(shown, Supervisor())
+    root, lid = shown.presentations.root, shown.presentations.lid
+    alone = optimal_strategy_alone(graph, root, lid)
+    changed = np.argwhere(alone.child != graph.child)
+    first = {(int(node), int(action)) for node, action in changed if node in root}
+    assert first == {(int(root[0]), 1), (int(root[1]), 0)}
+    later = {int(action) for node, action in changed if node not in root}
+    assert later == {2, 3}
+    np.testing.assert_array_equal(
+        alone.child[changed[:, 0], changed[:, 1]], changed[:, 0]
+    )
 
 
 def test_a_supervisor_can_cost_nothing_where_it_forbids_the_useless_only():
     shown = recording(6, left=(one_handed,), right=(ideal,))
     for mode in ("safe", "productive"):
-        assert optimum(shown, Supervisor(mode), 6) == Optimum(3.0, 2.0)
+        assert optimum(shown, Supervisor(mode), 6).actions == BySide(3.0, 2.0)
     # Its shaping counts as lifted.
     shaped = Supervisor("none", ("swap-right-to-left:50",))
-    assert optimum(shown, shaped, 6) == Optimum(3.0, 2.0)
+    assert optimum(shown, shaped, 6).actions == BySide(3.0, 2.0)
 
 
 def test_incomplete_presentations_are_left_out():
     shallow = recording(3, left=(ideal,), right=(ideal,))
-    assert optimum(shallow, max_actions=3).mean == 2.0
+    assert optimum(shallow, max_actions=3).actions.mean == 2.0
     with pytest.raises(RecordingError, match="complete to 4 executed actions"):
         optimum(shallow, max_actions=4)
 
@@ -99,5 +135,5 @@ def test_what_is_not_known_counts_as_nothing():
     not (paths.RECORDING / "recording.yaml").exists(),
     reason="the recording that comes with the package is not made yet",
 )
-def test_in_real_physics_two_actions_are_always_enough():
-    assert optimum(Recording.load()) == Optimum(2.0, 2.0)
+def test_in_real_physics_the_optimal_strategy_always_takes_two_actions():
+    assert optimum(Recording.load()) == Optimum(BySide(2.0, 2.0), BySide(1.0, 1.0))

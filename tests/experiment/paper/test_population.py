@@ -15,7 +15,10 @@ from prospect_mj.experiment.paper.programme import Programme
 from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
 from prospect_mj.experiment.paper.strategies import Strategy, easy
 from prospect_mj.recording.arrays import LEFT, RIGHT
+from prospect_mj.recording.config import RecordingConfig
+from prospect_mj.recording.grower import presentation_rng
 from prospect_mj.recording.recording import Recording
+from prospect_mj.task.presentation import ORIENTATIONS
 
 SMALL = PopulationSettings(runs=5, seed=3)
 
@@ -59,6 +62,36 @@ def test_seeds_and_runs_differ(good):
     )
     assert (first.n_actions != other.n_actions).any()
     assert len(np.unique(first.n_actions, axis=0)) == SMALL.runs
+
+
+def first_draws(shown, scenario, seed):
+    """Of ten runs: numbers that the learner draws, and presentations."""
+    programme = Programme(shown, scenario, replace(SMALL, seed=seed))
+    runs = [programme.run(number) for number in range(10)]
+    return {float(run.trials.draws[0, 0, 0]) for run in runs}
+
+
+def test_no_draw_is_common_to_two_scenarios_or_seeds(good):
+    scenarios = (
+        Scenario(30),
+        Scenario(30, 10),
+        Scenario(30, 10, "left"),
+        Scenario(30, 1),
+    )
+    drawn = [first_draws(good, s, seed) for s in scenarios for seed in range(3)]
+    assert len(set.union(*drawn)) == 10 * len(drawn)
+
+
+def test_draws_are_not_those_of_a_recordings_presentations(good):
+    config, size = RecordingConfig(seed=SMALL.seed), 64
+    recorded = [
+        presentation_rng(config, side, number).random(size)
+        for side in ORIENTATIONS
+        for number in range(5)
+    ]
+    programme = Programme(good, Scenario(30), SMALL)
+    own = [programme.run(number).trials.draws.ravel() for number in range(5)]
+    assert not set(np.concatenate(recorded)) & set(np.concatenate(own))
 
 
 @pytest.mark.parametrize("dominant", ["left", "right"])
@@ -119,16 +152,26 @@ def test_noise_is_as_large_as_asked_and_new_in_every_trial(good):
 
 
 def test_initial_weights_are_drawn_as_asked(good):
-    weights = Programme(good, Scenario(), replace(SMALL, initial_sd=3.0)).run(1).weights
-    assert weights.std() == pytest.approx(3, rel=0.1)
-    assert not Programme(good, Scenario(), SMALL).run(1).weights.any()
+    runs = {
+        sd: Programme(
+            good, Scenario(), replace(SMALL, learner=LearnerSettings(initial_sd=sd))
+        ).run(1)
+        for sd in (0.0, 3.0)
+    }
+    assert runs[3.0].weights.std() == pytest.approx(3, rel=0.1)
+    assert not runs[0.0].weights.any()
+    np.testing.assert_array_equal(runs[0.0].trials.draws, runs[3.0].trials.draws)
 
 
 def test_what_a_population_knows_fits_together(good):
-    known = run_population(good, Scenario(200), SMALL)
+    known = run_population(good, Scenario(200), replace(SMALL, runs=20))
     assert known.n_actions.dtype == known.strategy.dtype == known.lid.dtype == np.int8
     assert (known.n_actions[~known.solved] == 10).all()
     assert (known.strategy[~known.solved] == Strategy.OTHER).all()
+    optimal = known.strategy == Strategy.OPTIMAL
+    assert (known.first_hand[optimal] == known.lid[optimal]).all()
+    corrected = np.isin(known.strategy, [Strategy.EARLY, Strategy.LATE])
+    assert (known.first_hand[corrected] == LEFT + RIGHT - known.lid[corrected]).all()
     least = {Strategy.OPTIMAL: 2, Strategy.EARLY: 3, Strategy.LATE: 4}
     for strategy, actions in least.items():
         used = known.strategy == strategy
@@ -171,7 +214,6 @@ def test_a_dominant_hand_misleads_at_first_in_recorded_physics():
         ({"max_actions": 0}, "actions per trial"),
         ({"max_actions": 101}, "actions per trial"),
         ({"bootstrap_at_truncation": 1}, "bootstrap"),
-        ({"initial_sd": -1.0}, "initial weights"),
         ({"image_noise": float("nan")}, "image noise"),
         ({"presentations": 0}, "presentations"),
         ({"learner": LearnerSettings(n_features=7)}, "features"),

@@ -14,9 +14,10 @@ from prospect_mj.errors import InvalidValue, RunFolderError
 from prospect_mj.experiment.paper import ablation, live_check, store
 from prospect_mj.experiment.paper.live_check import FoundRuns
 from prospect_mj.experiment.paper.reproduce import n_steps, reproduce
-from prospect_mj.experiment.paper.reproduction import ReproduceConfig
+from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
 from prospect_mj.experiment.paper.sample import title
 from prospect_mj.experiment.paper.statements import STATEMENTS
+from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
 from prospect_mj.recording.schema import SCHEMA
 
@@ -38,6 +39,7 @@ def few_variants():
         ]
         patch.setattr(ablation, "variants", lambda: both)
         patch.setattr(store, "source_digest", lambda: "sources")
+        patch.setattr(RecordingKey, "differences", lambda *keys: ["physics changed"])
         yield
 
 
@@ -77,7 +79,7 @@ def test_everything_is_written_and_linked(done):
     assert not [file for file in done.rglob("*") if file.name.startswith(".")]
 
 
-def test_the_report_tells_every_statement_with_its_verdict(done):
+def test_the_report_tells_every_statement_with_its_verdict(done, shown):
     report = (done / "report.md").read_text("utf-8")
     for statement in STATEMENTS:
         (line,) = {
@@ -89,6 +91,9 @@ def test_the_report_tells_every_statement_with_its_verdict(done):
         assert re.search(r"\*\*(holds|does not hold|undecided)\*\* \|$", line)
     assert "2 presentations with the lid to the left and 2" in report
     assert "best possible mean is 2.000" in report
+    assert "430 trials per run" in report
+    assert f"key {shown.key.digest[:16]}, seed 0, harmonic gross motion" in report
+    assert "Since then: physics changed." in report
     assert "2 runs on live physics (1 unfinished ones left out)" in report
 
 
@@ -137,10 +142,40 @@ def test_other_folders_are_refused_and_left_as_they_are(tmp_path, shown, done):
         reproduce(other, CONFIG, done, 1)
 
 
-def test_a_damaged_key_is_refused(tmp_path, shown):
-    (tmp_path / "reproduction.yaml").write_text("config: [1")
-    with pytest.raises(RunFolderError, match="damaged"):
+@pytest.mark.parametrize("part", [0, 0.2, 0.5, 0.9, 1 - 1e-6])
+def test_a_half_written_key_is_damaged_however_much_there_is(
+    tmp_path, shown, done, part
+):
+    whole = (done / "reproduction.yaml").read_text()
+    (tmp_path / "reproduction.yaml").write_text(whole[: int(part * len(whole))])
+    with pytest.raises(RunFolderError, match="can't be read: it is damaged"):
         reproduce(shown, CONFIG, tmp_path, 1)
+
+
+def test_a_file_in_place_of_the_populations_is_told(tmp_path, shown, done):
+    shutil.copytree(done, tmp_path / "copy")
+    shutil.rmtree(tmp_path / "copy" / "populations")
+    (tmp_path / "copy" / "populations").touch()
+    with pytest.raises(RunFolderError, match="populations can't be made"):
+        reproduce(shown, CONFIG, tmp_path / "copy", 1)
+
+
+def test_jobs_are_told_as_they_were_when_it_was_learned(tmp_path, shown, done):
+    shutil.copytree(done, tmp_path / "copy")
+    reproduce(shown, CONFIG, tmp_path / "copy", 7)
+    report = (tmp_path / "copy" / "report.md").read_text()
+    assert "(threads: 1)" in report
+
+
+def test_equal_choices_have_equal_intervals(done, shown, monkeypatch, tmp_path):
+    default = ablation.variants()[0]
+    twice = [replace(default, factor=name) for name in ("one", "other")]
+    monkeypatch.setattr(ablation, "variants", lambda: twice)
+    shutil.copytree(done, tmp_path / "copy")
+    reproduce(shown, CONFIG, tmp_path / "copy", 1)
+    rows = pq.ParquetFile(tmp_path / "copy" / "ablation.parquet").read().to_pylist()
+    first, second = ({**row, "factor": ""} for row in rows)
+    assert first == second
 
 
 @pytest.mark.parametrize(
@@ -155,7 +190,9 @@ def test_a_damaged_key_is_refused(tmp_path, shown):
         {"trials": 429},
         {"trials": 10**9},
         {"ablation_runs": 0},
-        {"runs": 20_000, "trials": 2000},
+        {"runs": 10_000, "trials": 2000},
+        {"runs": 10_001, "trials": 500},
+        {"trials": 10_001},
         {"seed": -1},
     ],
     ids=str,

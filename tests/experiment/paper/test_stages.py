@@ -1,9 +1,8 @@
 import numpy as np
 import pytest
-from synthetic import of_strategies, pair
+from synthetic import of_strategies, pair, sampled
 
 from prospect_mj.experiment.paper import stages
-from prospect_mj.experiment.paper.sample import Sample
 from prospect_mj.experiment.paper.scenario import Scenario
 from prospect_mj.experiment.paper.strategies import Strategy
 from prospect_mj.recording.arrays import LEFT, RIGHT
@@ -18,18 +17,21 @@ def test_stages_are_the_beginning_the_height_of_corrections_and_the_end():
     lid = np.where((trials < 400) | (trials % 2 == 0), RIGHT, LEFT)
     dominant = of_strategies(strategy, lid, Scenario(1000, 400))
     baseline = pair(runs=6)[0]
-    sample = Sample.of(baseline, dominant, np.random.default_rng(0))
+    sample = sampled(baseline, dominant)
     first, height, last = stages.stages(sample)
     spans = [(stage.first, stage.last) for stage in (first, height, last)]
     assert spans == [(400, 499), (650, 749), (900, 999)]
-    assert first.optimal.estimate == 0
-    assert np.isnan(first.preference.estimate)
-    assert height.late.estimate == pytest.approx(0.75, abs=0.03)
-    assert height.preference.estimate == pytest.approx(0.25, abs=0.03)
-    assert last.optimal == last.easy_optimal == (1, 1, 1)
+    assert first.measured("optimal").estimate == 0
+    assert first.measured("other").estimate == 1
+    assert np.isnan(first.measured("preference").estimate)
+    assert height.measured("late").estimate == pytest.approx(0.75, abs=0.03)
+    assert height.measured("nonradial").estimate == 1
+    assert height.measured("preference").estimate == pytest.approx(0.25, abs=0.03)
+    assert last.measured("optimal") == last.measured("easy_optimal") == (1, 1, 1, 0)
+    assert last.measured("easy_nonradial") == (0, 0, 0, 0)
 
 
 def test_a_short_study_has_short_stages():
-    sample = Sample.of(*pair(runs=5, trials=430), np.random.default_rng(0))
+    sample = sampled(*pair(runs=5, trials=430))
     spans = [(stage.first, stage.last) for stage in stages.stages(sample)]
     assert spans == [(400, 409), (410, 419), (420, 429)]

@@ -1,24 +1,33 @@
 import numpy as np
 import pytest
-from synthetic import pair
+from synthetic import pair, sampled
 
-from prospect_mj.experiment.paper import measures, statements
+from prospect_mj.experiment.paper import (
+    measures,
+    quantity,
+    report_statements,
+    statements,
+)
 from prospect_mj.experiment.paper.bands import Interval
-from prospect_mj.experiment.paper.sample import Sample
-from prospect_mj.experiment.paper.statements import Kind, Target, Verdict, about
+from prospect_mj.experiment.paper.quantity import Kind
+from prospect_mj.experiment.paper.statements import Judgement
+from prospect_mj.experiment.paper.target import Target, Verdict, about
 
-INF = np.inf
+INF, NAN = np.inf, np.nan
 
 
 @pytest.mark.parametrize(
     ("low", "high", "verdict"),
     [
         (640, 660, Verdict.HOLDS),
-        (560, 590, Verdict.HOLDS),
+        (585, 715, Verdict.HOLDS),
+        (560, 590, Verdict.OPEN),
+        (300, 1000, Verdict.OPEN),
+        (100, INF, Verdict.OPEN),
         (500, 580, Verdict.FAILS),
         (716, 800, Verdict.FAILS),
         (INF, INF, Verdict.FAILS),
-        (700, INF, Verdict.HOLDS),
+        (700, INF, Verdict.OPEN),
     ],
 )
 def test_about_a_number_is_a_tenth_to_either_side(low, high, verdict):
@@ -35,8 +44,15 @@ def test_about_a_number_is_a_tenth_to_either_side(low, high, verdict):
     ],
 )
 def test_a_comparison_holds_only_with_all_of_the_interval(low, high, verdict):
-    over = Target(6, 7, False, "over 6")
+    over = Target(6, 7, "over 6")
     assert over.verdict(Interval(low, low, high)) == verdict
+
+
+def test_what_is_not_there_is_undecided():
+    any_number = Target(-INF, INF, "")
+    assert any_number.verdict(Interval(NAN, NAN, NAN, 1.0)) == Verdict.OPEN
+    assert any_number.verdict(Interval(1.0, 1.0, 1.0, 0.2)) == Verdict.OPEN
+    assert any_number.verdict(Interval(1.0, 1.0, 1.0, 0.01)) == Verdict.HOLDS
 
 
 @pytest.mark.parametrize(
@@ -46,15 +62,59 @@ def test_a_comparison_holds_only_with_all_of_the_interval(low, high, verdict):
         (0.4872, Kind.SHARE, "48.7 %"),
         (6.128, Kind.ACTIONS, "6.13"),
         (INF, Kind.TRIAL, "never"),
-        (np.nan, Kind.SHARE, "none"),
+        (NAN, Kind.SHARE, "none"),
+        (170.0, Kind.LAG, "170"),
+        (INF, Kind.LAG, "late corrections never gone"),
+        (-INF, Kind.LAG, "early corrections never gone"),
     ],
 )
 def test_numbers_are_written_as_what_they_are(value, kind, words):
-    assert statements.number(value, kind) == words
+    assert quantity.number(value, kind) == words
+
+
+@pytest.mark.parametrize(
+    ("measured", "kind", "words"),
+    [
+        ((650.0, 640.0, 660.0), Kind.TRIAL, "650 (640 to 660)"),
+        ((INF, INF, INF), Kind.TRIAL, "never"),
+        ((650.0, 640.0, INF), Kind.TRIAL, "650 (640 to never)"),
+        ((-INF, -INF, -INF), Kind.LAG, "early corrections never gone"),
+        ((NAN, NAN, NAN, 1.0), Kind.LAG, "none"),
+        ((0.5, 0.4, 0.6, 0.04), Kind.RATIO, "0.50 (0.40 to 0.60)"),
+        (
+            (0.5, 0.4, 0.6, 0.21),
+            Kind.RATIO,
+            "0.50 (0.40 to 0.60; none in 21 % of the resamples)",
+        ),
+    ],
+)
+def test_intervals_are_written_as_far_as_they_are_there(measured, kind, words):
+    assert quantity.with_interval(Interval(*measured), kind) == words
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "words"),
+    [
+        (
+            (Verdict.HOLDS, Verdict.HOLDS),
+            "By both measures early corrections disappear",
+        ),
+        ((Verdict.FAILS, Verdict.FAILS), "By neither measure"),
+        ((Verdict.HOLDS, Verdict.FAILS), "can't be told"),
+        ((Verdict.HOLDS, Verdict.OPEN), "can't be told"),
+        ((Verdict.OPEN, Verdict.OPEN), "can't be told"),
+    ],
+)
+def test_the_report_says_whether_the_order_of_corrections_can_be_told(verdicts, words):
+    judged = [
+        Judgement(said, Interval(1.0, 1.0, 1.0), verdict)
+        for said, verdict in zip(statements.EARLY_FIRST, verdicts, strict=True)
+    ]
+    assert words in list(report_statements.published(judged))[-1]
 
 
 def test_what_was_planted_is_judged():
-    sample = Sample.of(*pair(runs=100), np.random.default_rng(0))
+    sample = sampled(*pair(runs=100))
     judged = {j.statement.measure: j for j in statements.judge(sample)}
     # Planted: a chance of 0.97 after 485 trials, 0.93 of which is near-optimal enough.
     near = judged[measures.near_optimal]
@@ -64,12 +124,12 @@ def test_what_was_planted_is_judged():
     # Planted: from 0.97 to 0.3, then as fast as without pretraining.
     assert judged[measures.easy_drop].measured.estimate == pytest.approx(0.67, abs=0.1)
     assert judged[measures.easy_drop].verdict == Verdict.HOLDS
-    low, high = judged[measures.fall_ratio].measured[1:]
+    low, high = judged[measures.fall_ratio].measured[1:3]
     assert low <= 1 <= high
 
 
 def test_the_table_has_a_row_for_each_statement():
-    sample = Sample.of(*pair(), np.random.default_rng(0))
+    sample = sampled(*pair())
     judged = statements.judge(sample)
     rows = statements.table(judged).to_pylist()
     assert [row["statement"] for row in rows] == [s.text for s in statements.STATEMENTS]

@@ -1,3 +1,4 @@
+import inspect
 from dataclasses import replace
 
 import numpy as np
@@ -35,7 +36,7 @@ def same(first, second):
     return first.scenario == second.scenario and all(
         np.array_equal(getattr(first, name), getattr(second, name))
         and getattr(first, name).dtype == getattr(second, name).dtype
-        for name in ("lid", "n_actions", "solved", "strategy")
+        for name in ("lid", "n_actions", "solved", "strategy", "first_hand")
     )
 
 
@@ -44,8 +45,11 @@ def test_a_population_learns_once_and_is_read_the_same(tmp_path, shown, learned)
     again = Store(tmp_path, shown, 2).get(SCENARIO, SETTINGS)
     assert same(first.population, again.population)
     assert same(first.population, run_population(shown, SCENARIO, SETTINGS))
-    assert again.seconds == first.seconds > 0
+    assert again.seconds == pytest.approx(first.seconds)
+    assert again.seconds > 0
+    assert again.jobs == first.jobs == 1
     assert len(learned) == 1
+    assert len(list(tmp_path.iterdir())) == 1
 
 
 def test_another_scenario_setting_recording_or_learner_is_another_population(
@@ -61,11 +65,41 @@ def test_another_scenario_setting_recording_or_learner_is_another_population(
     monkeypatch.setattr(store, "source_digest", lambda: "edited")
     Store(tmp_path, shown, 1).get(SCENARIO, SETTINGS)
     assert len(learned) == 5
-    assert len(list(tmp_path.glob("*[!s].parquet"))) == 5
+    assert len(list(tmp_path.glob("*.parquet"))) == 5
+
+
+@pytest.mark.parametrize("module", store.CODE, ids=lambda module: module.__name__)
+def test_a_change_of_any_code_that_decides_is_another_population(module, monkeypatch):
+    before, source = store.code(), inspect.getsource
+    # A comment or a docstring decides nothing.
+    for added, same in (("# Words.\n", True), ("CHANGED = 1\n", False)):
+        monkeypatch.setattr(
+            store.inspect,
+            "getsource",
+            lambda of, added=added: source(of) + (added if of is module else ""),
+        )
+        assert (store.code() == before) == same
+
+
+@pytest.mark.parametrize("package", ["numpy", "numba"])
+def test_other_versions_make_another_population(tmp_path, shown, monkeypatch, package):
+    Store(tmp_path, shown, 1).get(SCENARIO, SETTINGS)
+    versions = store.installed_versions(store.PACKAGES)
+    assert package in versions
+    changed = versions | {package: "0.0"}
+    monkeypatch.setattr(store, "installed_versions", lambda packages: changed)
+    Store(tmp_path, shown, 1).get(SCENARIO, SETTINGS)
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+def test_a_file_in_place_of_the_folder_is_told(tmp_path, shown):
+    (tmp_path / "populations").touch()
+    with pytest.raises(RunFolderError, match="populations can't be made"):
+        Store(tmp_path / "populations", shown, 1)
 
 
 def population_file(folder):
-    (file,) = folder.glob("*[!s].parquet")
+    (file,) = folder.glob("*.parquet")
     return file
 
 

@@ -3,8 +3,15 @@
 import numpy as np
 import pytest
 
-from prospect_mj.experiment.paper.strategies import Strategy, classify, easy
-from prospect_mj.recording.arrays import LEFT, RIGHT
+from prospect_mj.experiment.paper.strategies import (
+    Grip,
+    Strategy,
+    classify,
+    easy,
+    first_grip,
+    first_hand,
+)
+from prospect_mj.recording.arrays import LEFT, NONE, RIGHT
 
 # As if the lid lay to the left: "good" is the left hand. A swap is named for its giver.
 ACTIONS = {
@@ -94,3 +101,25 @@ def test_easy_is_the_lid_on_the_dominant_side():
     lid = np.array([[LEFT, RIGHT, RIGHT]])
     assert easy(lid, "right").tolist() == [[False, True, True]]
     assert easy(lid, "left").tolist() == [[True, False, False]]
+
+
+@pytest.mark.parametrize(
+    ("text", "hand"),
+    [
+        ("grasp good, insert good!", LEFT),
+        ("[grasp good], grasp bad, swap bad, insert good!", RIGHT),
+        ("grasp bad, grasp good, insert good!", RIGHT),
+        ("[grasp bad]" + ", [insert good]" * 9, NONE),
+    ],
+)
+def test_the_first_hand_is_that_of_the_first_grasp_that_was_run(text, hand):
+    actions, executed, _ = arrays(text)
+    assert first_hand(actions, executed) == hand
+
+
+def test_a_radial_grip_is_by_the_hand_on_the_lids_side():
+    lid = np.array([LEFT, LEFT, RIGHT, RIGHT, RIGHT], np.int8)
+    hand = np.array([LEFT, RIGHT, LEFT, RIGHT, NONE], np.int8)
+    radial, nonradial = Grip
+    grip = first_grip(lid, hand)
+    assert grip.tolist() == [radial, nonradial, nonradial, radial, -1]

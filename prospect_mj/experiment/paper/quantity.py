@@ -1,0 +1,51 @@
+"""Measured numbers in words."""
+
+from enum import StrEnum
+from math import inf, isinf, isnan
+
+from prospect_mj.experiment.paper.bands import LEVEL, Interval
+
+
+class Kind(StrEnum):
+    """What a number is of."""
+
+    TRIAL = "trial"
+    LAG = "lag"
+    """Trials from where early corrections are gone to where late ones are."""
+    ACTIONS = "actions"
+    SHARE = "share"
+    RATIO = "ratio"
+
+
+def number(value: float, kind: Kind) -> str:
+    """A measured number in words."""
+    if isnan(value):
+        return "none"
+    if isinf(value):
+        return _never(value, kind)
+    match kind:
+        case Kind.TRIAL | Kind.LAG:
+            return f"{value:.0f}"
+        case Kind.SHARE:
+            # Zero is added so that nothing is written as minus zero.
+            return f"{round(100 * value, 1) + 0.0:.1f} %"
+        case _:
+            return f"{value:.2f}"
+
+
+def with_interval(measured: Interval, kind: Kind) -> str:
+    """An estimate and its interval in words."""
+    low, high = measured.low, measured.high
+    if isnan(low) or (isinf(low) and low == high == measured.estimate):
+        return number(measured.estimate, kind)
+    words = f"{number(low, kind)} to {number(high, kind)}"
+    if measured.lacking > 1 - LEVEL:
+        words += f"; none in {100 * measured.lacking:.0f} % of the resamples"
+    return f"{number(measured.estimate, kind)} ({words})"
+
+
+def _never(value: float, kind: Kind) -> str:
+    """What it means that something is never reached."""
+    if kind != Kind.LAG:
+        return "never"
+    return f"{'late' if value == inf else 'early'} corrections never gone"

@@ -1,0 +1,56 @@
+"""The report on infants."""
+
+from collections.abc import Iterable
+
+from prospect_mj.experiment.paper import infants
+from prospect_mj.experiment.paper.markdown import table
+from prospect_mj.experiment.paper.quantity import Kind, with_interval
+from prospect_mj.experiment.paper.sample import Sample
+from prospect_mj.experiment.paper.stages import stages
+
+_ROWS = {
+    "nonradial": "nonradial first grasps, of all first grasps in difficult trials",
+    "easy_nonradial": "the same in easy trials",
+    "optimal": "optimal in difficult trials",
+    "early": "early corrections in difficult trials",
+    "late": "late corrections in difficult trials",
+    "other": "other or cut off in difficult trials",
+    "preference": "early ones in all corrections of difficult trials",
+    "easy_optimal": "optimal in easy trials",
+}
+
+
+def section(sample: Sample) -> Iterable[str]:
+    """The order of strategies in infants and in the agent, a piece at a time."""
+    yield "## Infants"
+    yield (
+        "Order only: the percentages of McCarty, Clifton and Collard (1999) were not "
+        "at hand, and none is made up here. What is said of infants is what the paper "
+        "tells of them (sections 2 and 3.2). A nonradial grasp is one by the hand that "
+        "is not on the lid's side, and counts whatever comes of it."
+    )
+    found = stages(sample)
+    heads = [f"trials {stage.first} to {stage.last}" for stage in found]
+    yield table(
+        ("the agent", *heads),
+        [
+            (
+                words,
+                *(with_interval(stage.measured(name), Kind.SHARE) for stage in found),
+            )
+            for name, words in _ROWS.items()
+        ],
+    )
+    yield (
+        "The three stages are the beginning after the pretraining, the height of "
+        "corrections between it and the end, and the end; they stand for 9, 14 and 19 "
+        "months. An order is the same if the intervals put all of its parts beyond "
+        "doubt, not the same if they exclude one of them, and undecided otherwise."
+    )
+    yield table(
+        ("infants, as the paper tells", "the agent does the same if", "same order"),
+        [
+            (order.infants, order.rule, f"**{order.same}**")
+            for order in infants.orders(sample, found)
+        ],
+    )

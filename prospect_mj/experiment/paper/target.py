@@ -1,0 +1,44 @@
+"""Ranges that measures are held to, and how an interval is judged by one."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+from math import isnan
+
+from prospect_mj.experiment.paper.bands import LEVEL, Interval
+
+
+class Verdict(StrEnum):
+    """Whether a statement holds."""
+
+    HOLDS = "holds"
+    FAILS = "does not hold"
+    OPEN = "undecided"
+
+
+@dataclass(frozen=True)
+class Target:
+    """Where a measure should be."""
+
+    low: float
+    high: float
+    words: str
+    """The published number or comparison, and what counts as that."""
+
+    def verdict(self, measured: Interval) -> Verdict:
+        """Judge a measure by its interval; the wider it is, the less it confirms.
+
+        Returns:
+            HOLDS if all of the interval is inside, FAILS if none of it is, else OPEN;
+            OPEN too if what is measured is not there, or too often not in a resample.
+        """
+        if isnan(measured.estimate) or measured.lacking > 1 - LEVEL:
+            return Verdict.OPEN
+        if measured.high < self.low or measured.low > self.high:
+            return Verdict.FAILS
+        inside = self.low <= measured.low and measured.high <= self.high
+        return Verdict.HOLDS if inside else Verdict.OPEN
+
+
+def about(number: float, words: str) -> Target:
+    """A tenth of a number to either side of it."""
+    return Target(9 * number / 10, 11 * number / 10, words)

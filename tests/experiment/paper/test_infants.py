@@ -1,0 +1,95 @@
+"""Orders of strategies, planted and found."""
+
+import numpy as np
+from synthetic import of_strategies, pair, sampled
+
+from prospect_mj.experiment.paper import infants, report_infants
+from prospect_mj.experiment.paper.infants import Same
+from prospect_mj.experiment.paper.scenario import Scenario
+from prospect_mj.experiment.paper.stages import stages
+from prospect_mj.experiment.paper.strategies import Strategy
+from prospect_mj.recording.arrays import LEFT, RIGHT
+
+GRIPS, PREFERENCE, EASY, LATE_FIRST = range(4)
+BEGINNING, HEIGHT, END = (400, 500), (650, 750), (900, 1000)
+
+
+def planted(*spans, runs=200, easy_optimal=0.95):
+    """Populations whose difficult trials are optimal, but for some spans of trials.
+
+    Args:
+        *spans: first trial, the one after the last, chances of an early and of a late
+            correction, the rest being optimal.
+        runs: how many.
+        easy_optimal: chance of the optimal strategy in easy trials.
+    """
+    rng = np.random.default_rng(3)
+    chances = np.zeros((1000, 2))
+    for first, end, early, late in spans:
+        chances[first:end] = early, late
+    lid = rng.choice([LEFT, RIGHT], (runs, 1000))
+    lid[:, :400] = RIGHT
+    drawn = rng.random((runs, 1000))
+    early, either = chances[:, 0], chances.sum(axis=1)
+    strategy = np.where(drawn < either, Strategy.LATE, Strategy.OPTIMAL)
+    strategy[drawn < early] = Strategy.EARLY
+    easy = np.where(drawn < easy_optimal, Strategy.OPTIMAL, Strategy.EARLY)
+    strategy = np.where(lid == RIGHT, easy, strategy)
+    dominant = of_strategies(strategy, lid, Scenario(1000, 400))
+    return sampled(pair(runs=runs)[0], dominant)
+
+
+def same(sample):
+    return [order.same for order in infants.orders(sample, stages(sample))]
+
+
+LIKE_INFANTS = (
+    (*BEGINNING, 0.46, 0.34),
+    (500, 700, 0.7, 0.05),
+    (700, 750, 0.7, 0.0),
+)
+
+
+def test_an_agent_that_does_as_infants_is_found_to():
+    assert same(planted(*LIKE_INFANTS)) == [Same.YES] * 4
+
+
+def test_another_order_is_found_too():
+    other = planted((*BEGINNING, 0.1, 0.3), (*HEIGHT, 0.1, 0.8), easy_optimal=0.3)
+    found = same(other)
+    assert (
+        found[GRIPS] == Same.NO
+    )  # More nonradial grasps at the height of corrections.
+    assert found[PREFERENCE] == Same.NO
+    assert found[EASY] == Same.NO
+
+
+def test_nonradial_grasps_that_stay_are_not_rare_at_the_end():
+    stay = planted((*BEGINNING, 0.4, 0.4), (500, 900, 0.7, 0.1), (*END, 0.5, 0.0))
+    assert same(stay)[GRIPS] == Same.NO
+
+
+def test_early_corrections_that_go_first_are_the_other_order():
+    early_first = planted((*BEGINNING, 0.4, 0.4), (500, 700, 0.0, 0.5))
+    assert same(early_first)[LATE_FIRST] == Same.NO
+
+
+def test_an_order_that_depends_on_the_measure_is_undecided():
+    # Early ones are rare and stay at a half of their largest share, late ones fall to a
+    # small part of it: early ones fall below 2 % first, late ones below a quarter.
+    differs = planted(
+        (400, 600, 0.03, 0.7), (600, 850, 0.015, 0.04), (850, 1000, 0.0, 0.0)
+    )
+    assert same(differs)[LATE_FIRST] == Same.OPEN
+
+
+def test_a_small_study_leaves_open_what_a_large_one_shows():
+    assert Same.OPEN in same(planted(*LIKE_INFANTS, runs=8))
+
+
+def test_the_report_tells_every_order_and_other_as_its_own_row():
+    sample = planted((*BEGINNING, 0.4, 0.4), (500, 700, 0.0, 0.5))
+    text = "\n".join(report_infants.section(sample))
+    for order in infants.orders(sample, stages(sample)):
+        assert f"| {order.infants} | {order.rule} | **{order.same}** |" in text
+    assert "| other or cut off in difficult trials | 0.0 % (0.0 % to 0.0 %)" in text
