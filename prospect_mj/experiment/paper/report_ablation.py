@@ -16,14 +16,14 @@ def section(rows: Sequence[Row], runs: int) -> Iterable[str]:
     yield (
         f"One choice at a time round the default, {runs} runs "
         "per scenario and choice. The distance is the sum of squared differences from "
-        "the four published numbers, each in tenths of the number; inside of the "
-        "published range there is none. Where something is never reached, the end "
+        "the four published ranges, each in tenths of the number; inside of the "
+        "range there is none. Where something is never reached, the end "
         "counts, and the distance is a lower bound (>=). All choices have runs of the "
         "same seeds and the same resamples of them; whether one is better than another "
         "is judged by the interval of the difference of their distances."
     )
     heads = [title(p.measure).lower() for p in PUBLISHED.values()]
-    published = [p.words for p in PUBLISHED.values()]
+    published = [p.target.words for p in PUBLISHED.values()]
     factors = ablation.by_factor(rows)
     lines = [
         _line(row, ablation.best(choices))

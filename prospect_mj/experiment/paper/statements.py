@@ -38,6 +38,11 @@ class Judgement:
     verdict: Verdict
 
 
+TIMING_OUT = Target(0.5, 1.0, "most: over a half")
+NEAR_OPTIMAL = about(650, "about 650: 585 to 715")
+PRETRAINED = about(250, "about 250: 225 to 275")
+PEAK = Target(6.0, 7.0, "over 6: 6 to 7")
+
 _DROP = (
     "In the easy trials after random orientations are introduced [...], our results "
     "show a temporary drop in the optimal strategy as the agent explores nonradial "
@@ -62,14 +67,14 @@ STATEMENTS = (
         "after ten actions.",
         measures.first_unsolved,
         Kind.SHARE,
-        Target(0.5, 1.0, "most: over a half"),
+        TIMING_OUT,
     ),
     Statement(
         "After approximately 650 trials, the agent exhibited nearly optimal "
         "performance.",
         measures.near_optimal,
         Kind.TRIAL,
-        about(650, "about 650: 585 to 715"),
+        NEAR_OPTIMAL,
     ),
     Statement(
         "During pretraining starting at trial 0, the untrained agent initially "
@@ -77,14 +82,14 @@ STATEMENTS = (
         "250 trials.",
         measures.pretraining_near_optimal,
         Kind.TRIAL,
-        about(250, "about 250: 225 to 275"),
+        PRETRAINED,
     ),
     Statement(
         "At trial 400, random orientations were introduced. Average actions per trial "
         "rose to over six [...].",
         measures.peak_after_switch,
         Kind.ACTIONS,
-        Target(6.0, 7.0, "over 6: 6 to 7"),
+        PEAK,
     ),
     Statement(
         "Learning then progressed at the same rate as for trials without a dominant "

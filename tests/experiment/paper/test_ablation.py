@@ -31,18 +31,19 @@ def planted(cut_off=0.6, near=650, pretrained=250, peak=6.5):
 def test_the_published_numbers_are_at_no_distance():
     assert ablation.distance(planted()) == [0]
     assert ablation.distance(planted(cut_off=1.0, peak=6.0)) == [0]
+    assert ablation.distance(planted(near=710, pretrained=230)) == [0]
 
 
 @pytest.mark.parametrize(
     ("changes", "distance"),
     [
-        ({"near": 780}, 2.0**2),
-        ({"near": 520}, 2.0**2),
-        ({"pretrained": 300}, 2.0**2),
+        ({"near": 780}, 1.0),
+        ({"near": 520}, 1.0),
+        ({"pretrained": 300}, 1.0),
         ({"peak": 5.4}, 1.0),
         ({"peak": 7.6}, 1.0),
         ({"cut_off": 0.4}, 2.0**2),
-        ({"cut_off": 0.45, "near": 780}, 1.0 + 4.0),
+        ({"cut_off": 0.45, "near": 850}, 1.0 + (135 / 65) ** 2),
     ],
 )
 def test_a_difference_counts_in_tenths_of_the_number_squared(changes, distance):
@@ -51,9 +52,9 @@ def test_a_difference_counts_in_tenths_of_the_number_squared(changes, distance):
 
 def test_what_is_never_reached_counts_as_reached_at_the_end():
     never = ablation.distance(planted(near=2000))
-    np.testing.assert_allclose(never, [(350 / 65) ** 2])
+    np.testing.assert_allclose(never, [(285 / 65) ** 2])
     never = ablation.distance(planted(pretrained=400))
-    np.testing.assert_allclose(never, [(150 / 25) ** 2])
+    np.testing.assert_allclose(never, [(125 / 25) ** 2])
 
 
 def test_each_factor_has_the_default_once_and_other_choices():
