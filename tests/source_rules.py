@@ -35,7 +35,13 @@ CONFINED = {
 }
 """Library: the only places that may import it (those of a later issue: nowhere)."""
 
-LEARNER_IMPORTS = {"numpy", "prospect_mj.agent", "prospect_mj.errors"}
+LEARNER_IMPORTS = {
+    "numpy",
+    "prospect_mj.agent",
+    "prospect_mj.checks",
+    "prospect_mj.errors",
+    "prospect_mj.storage",
+}
 
 SEEDED = {"default_rng", "SeedSequence", "PCG64", "PCG64DXSM", "Philox", "SFC64"}
 GENERATORS = SEEDED | {"Generator", "BitGenerator"}

@@ -17,7 +17,7 @@ from typing import Literal, NamedTuple, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from prospect_mj.agent.checks import check_number
+from prospect_mj.checks import check_number
 from prospect_mj.errors import InvalidChoice, InvalidValue
 
 N_BINS = 100

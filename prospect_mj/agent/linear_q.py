@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from prospect_mj.agent import weights_file
-from prospect_mj.agent.checks import check_integer
 from prospect_mj.agent.settings import LearnerSettings
+from prospect_mj.checks import check_integer
 from prospect_mj.errors import InvalidValue
 
 

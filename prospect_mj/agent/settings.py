@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from prospect_mj.agent.checks import check_integer, check_number
+from prospect_mj.checks import check_integer, check_number
 
 _MOST = 1_000_000
 

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.agent.settings import LearnerSettings
-from prospect_mj.agent.storage import replace_file
 from prospect_mj.errors import InvalidValue
+from prospect_mj.storage import replace_file
 
 _FORMAT = "prospect_mj linear Q 1"
 

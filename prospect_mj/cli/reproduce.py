@@ -8,7 +8,7 @@ from typing import Annotated
 import tyro
 from tqdm import tqdm
 
-from prospect_mj.agent.checks import check_integer
+from prospect_mj.checks import check_integer
 from prospect_mj.cli import command_line
 from prospect_mj.experiment.paper.population import MOST_JOBS
 from prospect_mj.experiment.paper.reproduce import n_steps, reproduce

@@ -4,9 +4,9 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from typing import Any, Self, get_args
 
-from prospect_mj.agent.checks import check_integer
 from prospect_mj.agent.features import N_FEATURES, FeatureSettings
 from prospect_mj.agent.settings import LearnerSettings
+from prospect_mj.checks import check_integer
 from prospect_mj.envs.settings import Physics
 from prospect_mj.errors import InvalidChoice, InvalidValue, ProspectError
 from prospect_mj.experiment.records import ACTION_NAMES

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import yaml
 
-from prospect_mj.agent.storage import replace_file
 from prospect_mj.errors import ProspectError, RunFolderError
 from prospect_mj.experiment import fingerprint
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.recording import provenance
+from prospect_mj.storage import replace_file
 
 NAME = "config.yaml"
 

@@ -3,7 +3,7 @@
 import os
 from pathlib import Path
 
-from prospect_mj.agent import storage
+from prospect_mj import storage
 from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment import config_file
 

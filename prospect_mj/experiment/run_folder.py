@@ -25,7 +25,6 @@ from pyarrow.lib import ArrowException
 
 from prospect_mj import locking, tables
 from prospect_mj.agent import LinearQ
-from prospect_mj.agent.storage import replace_file
 from prospect_mj.closing import Closing
 from prospect_mj.errors import ForeignTable, ProspectError, RunFolderError
 from prospect_mj.experiment import config_file, fingerprint, folder_guard
@@ -37,6 +36,7 @@ from prospect_mj.experiment.records import (
     trial_table,
 )
 from prospect_mj.experiment.training import FinishedTrial, new_learner
+from prospect_mj.storage import replace_file
 
 CONFIG = config_file.NAME
 ACTIONS = "actions.parquet"

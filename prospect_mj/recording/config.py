@@ -3,7 +3,7 @@
 from dataclasses import asdict, dataclass, fields
 from typing import Any, Literal, Self, get_args
 
-from prospect_mj.agent.checks import check_integer
+from prospect_mj.checks import check_integer
 from prospect_mj.errors import InvalidChoice
 
 # As `task` has them, without its imports of the physics: a recording is stepped where

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Self
 
 from prospect_mj import locking, tables
-from prospect_mj.agent.storage import replace_file
 from prospect_mj.closing import Closing
 from prospect_mj.errors import RecordingError
 from prospect_mj.recording import files
@@ -18,6 +17,7 @@ from prospect_mj.recording.config import Extent
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.node_table import tabulated, tree_of
 from prospect_mj.recording.tree import OutcomeTree
+from prospect_mj.storage import replace_file
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
 

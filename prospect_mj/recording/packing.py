@@ -6,13 +6,13 @@ from pathlib import Path
 import pyarrow as pa
 
 from prospect_mj import tables
-from prospect_mj.agent.storage import replace_file
 from prospect_mj.errors import RecordingError
 from prospect_mj.recording import files
 from prospect_mj.recording import key as keys
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.node_table import tabulated
 from prospect_mj.recording.tree import OutcomeTree
+from prospect_mj.storage import replace_file
 
 
 def pack(trees: Iterable[OutcomeTree], key: RecordingKey, path: Path) -> int:

@@ -9,7 +9,7 @@ from typing import Any, Literal, TypeVar, get_args
 
 import joblib
 
-from prospect_mj.agent.checks import check_integer
+from prospect_mj.checks import check_integer
 from prospect_mj.errors import InvalidChoice
 from prospect_mj.recording.ray_cluster import connected
 

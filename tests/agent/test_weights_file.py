@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 
 from prospect_mj.agent import LearnerSettings, LinearQ
-from prospect_mj.agent.storage import replace_file
 from prospect_mj.errors import InvalidValue
+from prospect_mj.storage import replace_file
 
 SETTINGS = LearnerSettings(step_size=0.01, epsilon=0.2)
 

@@ -11,8 +11,8 @@ import pytest
 import yaml
 from ideal_env import IdealEnv
 
-from prospect_mj import paths
-from prospect_mj.agent import LearnerSettings, LinearQ, storage
+from prospect_mj import paths, storage
+from prospect_mj.agent import LearnerSettings, LinearQ
 from prospect_mj.errors import FolderInUse, RunFolderError
 from prospect_mj.experiment import config_file, fingerprint, folder_guard, session
 from prospect_mj.experiment.config import TrainConfig

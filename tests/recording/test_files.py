@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from ideal_grower import grown_tree, key
 
-from prospect_mj.agent.storage import replace_file
 from prospect_mj.errors import RecordingError
 from prospect_mj.recording import files, packing
 from prospect_mj.recording.growing import GrowingRecording
 from prospect_mj.recording.recording import Recording
+from prospect_mj.storage import replace_file
 
 TREES = (("left", 0), ("left", 1), ("right", 0))
 

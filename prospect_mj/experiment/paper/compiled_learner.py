@@ -5,7 +5,6 @@ from typing import get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from prospect_mj.agent.checks import check_integer
 from prospect_mj.agent.features import (
     N_BINS,
     N_FEATURES,
@@ -14,6 +13,7 @@ from prospect_mj.agent.features import (
     StateFeatureGenerator,
 )
 from prospect_mj.agent.settings import LearnerSettings
+from prospect_mj.checks import check_integer
 from prospect_mj.errors import InvalidValue, RecordingError
 from prospect_mj.experiment.paper import kernel
 from prospect_mj.experiment.paper.kernel import (

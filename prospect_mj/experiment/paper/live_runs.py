@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from prospect_mj.agent.checks import check_integer
+from prospect_mj.checks import check_integer
 from prospect_mj.experiment import session
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.environment import MakeEnvironment, make_environment

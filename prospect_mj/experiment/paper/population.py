@@ -8,7 +8,7 @@ import numpy as np
 from joblib import Parallel, delayed
 from numpy.typing import NDArray
 
-from prospect_mj.agent.checks import check_integer
+from prospect_mj.checks import check_integer
 from prospect_mj.experiment.paper import compiled_learner
 from prospect_mj.experiment.paper.kernel import Graph, Outcomes, Trials
 from prospect_mj.experiment.paper.programme import Programme

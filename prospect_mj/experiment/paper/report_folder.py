@@ -15,10 +15,10 @@ import pyarrow as pa
 import yaml
 
 from prospect_mj import locking, tables
-from prospect_mj.agent.storage import replace_file, temporary
 from prospect_mj.closing import Closing
 from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
+from prospect_mj.storage import replace_file, temporary
 
 NAME = "reproduction.yaml"
 REPORT = "report.md"

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from prospect_mj.agent.checks import check_integer
+from prospect_mj.checks import check_integer
 from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.learning_curve import BLOCK
 from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario

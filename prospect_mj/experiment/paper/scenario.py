@@ -3,9 +3,9 @@
 from dataclasses import dataclass, field
 from typing import get_args
 
-from prospect_mj.agent.checks import check_integer, check_number
 from prospect_mj.agent.features import N_FEATURES, FeatureSettings
 from prospect_mj.agent.settings import LearnerSettings
+from prospect_mj.checks import check_integer, check_number
 from prospect_mj.errors import InvalidChoice, InvalidValue
 from prospect_mj.experiment.records import ACTION_NAMES
 from prospect_mj.recording.config import LARGEST_SEED

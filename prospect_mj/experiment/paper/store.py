@@ -19,7 +19,6 @@ from pyarrow.lib import ArrowException
 
 from prospect_mj import tables
 from prospect_mj.agent import features, linear_q
-from prospect_mj.agent.storage import replace_file
 from prospect_mj.errors import ForeignTable, RunFolderError
 from prospect_mj.experiment.paper import (
     compiled_learner,
@@ -39,6 +38,7 @@ from prospect_mj.recording.provenance import (
     source_digest,
 )
 from prospect_mj.recording.recording import Recording
+from prospect_mj.storage import replace_file
 
 CODE: Sequence[ModuleType] = (
     features,

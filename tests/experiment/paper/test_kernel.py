@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from ideal_recording import clumsy, ideal, one_handed, recording, unseen
 
-from prospect_mj import paths
 from prospect_mj.agent import FeatureSettings, LearnerSettings
 from prospect_mj.errors import InvalidValue, RecordingError
 from prospect_mj.experiment.paper.compiled_learner import run_frozen, run_trials
@@ -74,10 +73,6 @@ def test_ties_are_broken_alike_through_whole_runs_of_the_papers_learner():
         assert_equal_learners(compiled, plain)
 
 
-@pytest.mark.skipif(
-    not (paths.RECORDING / "recording.yaml").exists(),
-    reason="the recording that comes with the package is not made yet",
-)
 def test_compiled_learner_is_linear_q_on_the_shipped_recording():
     programme = Programme(Recording.load(), Scenario(500, 200), PopulationSettings())
     compiled, plain = learn(programme, 0), learn_plainly(programme, 0)

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from ideal_recording import clumsy, ideal, one_handed, recording, unseen
 
-from prospect_mj import paths
 from prospect_mj.errors import RecordingError
 from prospect_mj.experiment.paper.kernel import Graph
 from prospect_mj.experiment.paper.optimum import (
@@ -131,9 +130,5 @@ def test_what_is_not_known_counts_as_nothing():
     assert fewest_actions(graph, 3)[0] == np.inf
 
 
-@pytest.mark.skipif(
-    not (paths.RECORDING / "recording.yaml").exists(),
-    reason="the recording that comes with the package is not made yet",
-)
 def test_in_real_physics_the_optimal_strategy_always_takes_two_actions():
     assert optimum(Recording.load()) == Optimum(BySide(2.0, 2.0), BySide(1.0, 1.0))

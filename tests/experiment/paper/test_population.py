@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from ideal_recording import ideal, recording
 
-from prospect_mj import paths
 from prospect_mj.agent import LearnerSettings
 from prospect_mj.errors import InvalidChoice, InvalidValue, RecordingError
 from prospect_mj.experiment.paper.plain import measured_speed, run_population_plainly
@@ -191,10 +190,6 @@ def test_the_compiled_learner_is_the_faster_one(good):
     assert speed.kernel > 5 * speed.plain > 0
 
 
-@pytest.mark.skipif(
-    not (paths.RECORDING / "recording.yaml").exists(),
-    reason="the recording that comes with the package is not made yet",
-)
 def test_a_dominant_hand_misleads_at_first_in_recorded_physics():
     scenario = Scenario(pretrain=400)
     known = run_population(Recording.load(), scenario, PopulationSettings(runs=20))
