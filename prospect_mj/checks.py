@@ -1,11 +1,13 @@
-"""Checks of settings: what passes is a number of the right kind and range.
+"""Checks of settings: what passes is of the right kind and range.
 
-Python's numbers only, as settings are written to JSON and YAML, which know no others.
+Of numbers Python's only: settings are written to JSON and YAML, which know no others.
 """
 
 import math
+from collections.abc import Collection, Mapping
+from dataclasses import fields
 
-from prospect_mj.errors import InvalidValue
+from prospect_mj.errors import InvalidChoice, InvalidValue
 
 
 def check_integer(what: str, value: object, least: int, most: int) -> None:
@@ -44,3 +46,24 @@ def check_number(
     ):
         bracket = "(" if above else "["
         raise InvalidValue(what, value, f"a number in {bracket}{least}, {most}]")
+
+
+def check_choice(what: str, value: object, choices: Collection[str]) -> None:
+    """Refuse all but some words.
+
+    Raises:
+        InvalidChoice: with the words.
+    """
+    if value not in choices:
+        raise InvalidChoice(what, value, choices)
+
+
+def check_names(plain: Mapping[str, object], settings: type) -> None:
+    """Refuse a mapping that doesn't name just the fields of a dataclass.
+
+    Raises:
+        InvalidChoice: with their names.
+    """
+    names = [field.name for field in fields(settings)]
+    if sorted(plain) != sorted(names):
+        raise InvalidChoice("settings", sorted(plain), names)

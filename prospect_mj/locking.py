@@ -2,12 +2,49 @@
 
 import fcntl
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
+from prospect_mj.closing import Closing
 from prospect_mj.errors import FolderInUse
 
 
-def lock(path: Path) -> int:
+class LockedFolder(Closing):
+    """A folder that no other process may work in until this one closes it.
+
+    Args:
+        path: the folder; it must exist.
+
+    Attributes:
+        path: as given.
+    """
+
+    def __init__(self, path: Path) -> None:
+        """Lock it.
+
+        Raises:
+            FolderInUse: if another process has locked it.
+        """
+        self.path, self._descriptor = path, _locked(path)
+
+    @contextmanager
+    def closed_if_it_fails(self) -> Iterator[None]:
+        """What follows opens the folder: it is closed again if that fails."""
+        try:
+            yield
+        except BaseException:
+            self.close()
+            raise
+
+    def close(self) -> None:
+        """Let other processes use the folder."""
+        if self._descriptor >= 0:
+            os.close(self._descriptor)
+            self._descriptor = -1
+
+
+def _locked(path: Path) -> int:
     """Lock the folder itself, so that no lock file is left behind by a kill.
 
     Returns:

@@ -3,6 +3,11 @@
 import contextlib
 import os
 from pathlib import Path
+from typing import Any
+
+import yaml
+
+from prospect_mj.errors import ProspectError
 
 
 def temporary(path: Path) -> Path:
@@ -32,3 +37,17 @@ def replace_file(path: Path, content: bytes) -> None:
         with contextlib.suppress(OSError):
             unfinished.unlink()
         raise
+
+
+def read_yaml(path: Path, damaged: type[ProspectError]) -> dict[str, Any]:
+    """The mapping that a YAML file holds; empty if it holds something else.
+
+    Args:
+        path: the file.
+        damaged: the error that is raised if it can't be read.
+    """
+    try:
+        content = yaml.safe_load(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+        raise damaged(f"{path} can't be read: it is damaged") from error
+    return content if isinstance(content, dict) else {}

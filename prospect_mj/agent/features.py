@@ -17,8 +17,8 @@ from typing import Literal, NamedTuple, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from prospect_mj.checks import check_number
-from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.checks import check_choice, check_number
+from prospect_mj.errors import InvalidValue
 
 N_BINS = 100
 N_FEATURES = 3 * N_BINS + 3
@@ -49,12 +49,9 @@ class FeatureSettings:
 
     def __post_init__(self) -> None:
         """Refuse choices and numbers that make no feature vector."""
-        if self.reading not in get_args(Reading):
-            raise InvalidChoice("feature reading", self.reading, get_args(Reading))
-        if self.normalisation not in get_args(Normalisation):
-            raise InvalidChoice(
-                "feature normalisation", self.normalisation, get_args(Normalisation)
-            )
+        check_choice("feature reading", self.reading, get_args(Reading))
+        valid = get_args(Normalisation)
+        check_choice("feature normalisation", self.normalisation, valid)
         check_number("feature energy", self.energy, 0, 100, above=True)
 
 
@@ -85,8 +82,7 @@ class StateFeatureGenerator:
         Returns:
             (303,) [1], a new array.
         """
-        if holding not in _PREDICATES:
-            raise InvalidChoice("holding", holding, _PREDICATES)
+        check_choice("holding", holding, _PREDICATES)
         visual = self.scaled_histogram(counts)
         left, right = _PREDICATES[holding]
         none = 1.0 - left - right

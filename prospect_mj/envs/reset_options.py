@@ -5,7 +5,8 @@ from typing import Any, NamedTuple, Self
 
 import numpy as np
 
-from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.checks import check_choice
+from prospect_mj.errors import InvalidValue
 from prospect_mj.task.presentation import Orientation, checked_orientation
 
 
@@ -27,8 +28,7 @@ class ResetOptions(NamedTuple):
         """
         given = {} if options is None else dict(options)
         for name in given:
-            if name not in cls._fields:
-                raise InvalidChoice("reset option", name, cls._fields)
+            check_choice("reset option", name, cls._fields)
         if "orientation" in given:
             given["orientation"] = checked_orientation(given["orientation"])
         if "trial" in given:

@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import Any, Literal, Self, get_args
 
 from prospect_mj.agent.features import FeatureSettings
-from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.checks import check_choice
+from prospect_mj.errors import InvalidValue
 from prospect_mj.recording.config import GrossMotion, ObjectPose, RecordingConfig
 from prospect_mj.supervisor.supervisor import Mode, Supervisor
 from prospect_mj.task.presentation import PresentationSettings
@@ -44,8 +45,7 @@ class PickPlaceSettings:
 
     def __post_init__(self) -> None:
         """Refuse a trial without actions, a mode or a schedule that can't be."""
-        if self.physics not in get_args(Physics):
-            raise InvalidChoice("physics", self.physics, get_args(Physics))
+        check_choice("physics", self.physics, get_args(Physics))
         if not 1 <= self.max_actions <= 1000:
             raise InvalidValue("max_actions", self.max_actions, "1 to 1000")
         Supervisor(self.supervisor, self.shaping)
@@ -70,8 +70,7 @@ class PickPlaceSettings:
         """
         names = [setting.name for setting in fields(self)]
         for name in changes:
-            if name not in names:
-                raise InvalidChoice("setting", name, names)
+            check_choice("setting", name, names)
         return replace(self, **changes)
 
     @property

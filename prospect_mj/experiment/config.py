@@ -1,14 +1,14 @@
 """Settings of a training run."""
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Self, get_args
 
 from prospect_mj.agent.features import N_FEATURES, FeatureSettings
 from prospect_mj.agent.settings import LearnerSettings
-from prospect_mj.checks import check_integer
+from prospect_mj.checks import check_choice, check_integer, check_names
 from prospect_mj.envs.settings import Physics
-from prospect_mj.errors import InvalidChoice, InvalidValue, ProspectError
+from prospect_mj.errors import InvalidValue, ProspectError
 from prospect_mj.experiment.records import ACTION_NAMES
 from prospect_mj.recording.config import (
     LARGEST_SEED,
@@ -17,7 +17,7 @@ from prospect_mj.recording.config import (
     ObjectPose,
 )
 from prospect_mj.supervisor.supervisor import Mode, Supervisor
-from prospect_mj.task.presentation import Orientation
+from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
 _MOST_TRIALS = 100_000
 
@@ -69,11 +69,11 @@ class TrainConfig:
         check_integer("pretraining trials", self.pretrain, 0, self.trials)
         check_integer("seed", self.seed, 0, LARGEST_SEED)
         check_integer("actions per trial", self.max_actions, 1, 1000)
-        _check_choice("dominant hand", self.dominant, Orientation)
+        check_choice("dominant hand", self.dominant, ORIENTATIONS)
         Supervisor(self.supervisor, self.shaping)
-        _check_choice("physics", self.physics, Physics)
-        _check_choice("object pose", self.object_pose, ObjectPose)
-        _check_choice("gross motion", self.gross_motion, GrossMotion)
+        check_choice("physics", self.physics, get_args(Physics))
+        check_choice("object pose", self.object_pose, get_args(ObjectPose))
+        check_choice("gross motion", self.gross_motion, get_args(GrossMotion))
         check_integer("grid cells per joint", self.grid_cells, 2, MOST_CELLS)
         if not isinstance(self.bootstrap_at_truncation, bool):
             raise InvalidValue(
@@ -84,20 +84,14 @@ class TrainConfig:
         check_integer("number of actions", sizes.n_actions, n_actions, n_actions)
         check_integer("number of features", sizes.n_features, N_FEATURES, N_FEATURES)
 
-    def as_dict(self) -> dict[str, Any]:
-        """Plain nested dictionary, the inverse of `from_dict`."""
-        return asdict(self)
-
     @classmethod
     def from_dict(cls, plain: Mapping[str, Any]) -> Self:
-        """Build a configuration from what `as_dict` returned.
+        """Build a configuration from what `dataclasses.asdict` returned.
 
         Raises:
             ProspectError: if a setting is missing, unknown or out of range.
         """
-        names = [setting.name for setting in fields(cls)]
-        if sorted(plain) != sorted(names):
-            raise InvalidChoice("settings", sorted(plain), names)
+        check_names(plain, cls)
         try:
             return cls(
                 **{
@@ -113,8 +107,3 @@ class TrainConfig:
     def with_trials(self, trials: int) -> Self:
         """The same run, longer or shorter."""
         return replace(self, trials=trials)
-
-
-def _check_choice(what: str, value: str, choices: object) -> None:
-    if value not in get_args(choices):
-        raise InvalidChoice(what, value, get_args(choices))

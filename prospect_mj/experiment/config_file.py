@@ -1,6 +1,7 @@
 """config.yaml: what a run is, and which software and model files made it."""
 
 import json
+from dataclasses import asdict
 from pathlib import Path
 
 import yaml
@@ -9,7 +10,7 @@ from prospect_mj.errors import ProspectError, RunFolderError
 from prospect_mj.experiment import fingerprint
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.recording import provenance
-from prospect_mj.storage import replace_file
+from prospect_mj.storage import read_yaml, replace_file
 
 NAME = "config.yaml"
 
@@ -24,7 +25,7 @@ def write(path: Path, config: TrainConfig) -> None:
     content = {
         "prospect_mj_run": _FORMAT,
         # By way of JSON, as YAML knows no number that is only derived from float.
-        "config": json.loads(json.dumps(config.as_dict())),
+        "config": json.loads(json.dumps(asdict(config))),
         "sha256": fingerprint.digests(config),
         "versions": provenance.installed_versions(PACKAGES),
         "platform": provenance.machine(),
@@ -39,8 +40,8 @@ def read(path: Path) -> TrainConfig:
         RunFolderError: if the file is unreadable, foreign, edited, or of other
             versions or model files.
     """
-    content = _parsed(path)
-    if not isinstance(content, dict) or content.get("prospect_mj_run") != _FORMAT:
+    content = read_yaml(path, RunFolderError)
+    if content.get("prospect_mj_run") != _FORMAT:
         raise RunFolderError(f"{path} is not the configuration of a run")
     try:
         config = TrainConfig.from_dict(content["config"])
@@ -51,13 +52,6 @@ def read(path: Path) -> TrainConfig:
     _check_versions(path, stored)
     _check_digests(path, sha256, config)
     return config
-
-
-def _parsed(path: Path) -> object:
-    try:
-        return yaml.safe_load(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
-        raise RunFolderError(f"{path} can't be read: it is damaged") from error
 
 
 def _check_versions(path: Path, stored: dict[str, str]) -> None:

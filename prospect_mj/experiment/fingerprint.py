@@ -1,6 +1,7 @@
 """Digests by which a run is known again: of its configuration, models and recording."""
 
 import json
+from dataclasses import asdict
 from pathlib import Path
 
 from prospect_mj import paths
@@ -26,7 +27,7 @@ def digests(config: TrainConfig) -> dict[str, str]:
         MissingFile: if a model file is missing.
         RecordingError: if there is no recording where there should be one.
     """
-    settings = config.as_dict()
+    settings = asdict(config)
     del settings["trials"]
     plain = json.dumps(settings, sort_keys=True).encode()
     found = {CONFIGURATION: sha256(plain)} | model_digests()

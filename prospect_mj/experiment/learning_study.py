@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 
 from prospect_mj.agent.features import FeatureSettings, StateFeatureGenerator
 from prospect_mj.agent.settings import LearnerSettings
-from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.checks import check_choice
+from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.histogram_banks import Bank, HistogramBanks
 from prospect_mj.experiment.learning_curve import (
     BLOCK,
@@ -54,8 +55,7 @@ class StudySettings:
 
     def __post_init__(self) -> None:
         """Refuse numbers and choices that make no study."""
-        if self.dominant not in ORIENTATIONS:
-            raise InvalidChoice("dominant hand", self.dominant, ORIENTATIONS)
+        check_choice("dominant hand", self.dominant, ORIENTATIONS)
         if self.runs < 1:
             raise InvalidValue("runs", self.runs, "at least 1")
         if not BLOCK <= self.pretrain <= self.trials - 3 * BLOCK:

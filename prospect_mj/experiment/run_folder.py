@@ -13,7 +13,6 @@ comes before all others, so that a kill at any moment leaves nothing or a run th
 be resumed. All of them but the picture carry the digest of the run.
 """
 
-import os
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -23,9 +22,8 @@ import numpy as np
 import pyarrow as pa
 from pyarrow.lib import ArrowException
 
-from prospect_mj import locking, tables
+from prospect_mj import tables
 from prospect_mj.agent import LinearQ
-from prospect_mj.closing import Closing
 from prospect_mj.errors import ForeignTable, ProspectError, RunFolderError
 from prospect_mj.experiment import config_file, fingerprint, folder_guard
 from prospect_mj.experiment.config import TrainConfig
@@ -36,6 +34,7 @@ from prospect_mj.experiment.records import (
     trial_table,
 )
 from prospect_mj.experiment.training import FinishedTrial, new_learner
+from prospect_mj.locking import LockedFolder
 from prospect_mj.storage import replace_file
 
 CONFIG = config_file.NAME
@@ -47,7 +46,7 @@ CURVE = "learning_curve.png"
 _Content = TypeVar("_Content")
 
 
-class RunFolder(Closing):
+class RunFolder(LockedFolder):
     """An open run: its configuration, learner and tables, locked for one process.
 
     Attributes:
@@ -58,11 +57,10 @@ class RunFolder(Closing):
         trials: table under `TRIAL_SCHEMA` of the finished trials.
     """
 
-    def __init__(self, path: Path, config: TrainConfig, lock: int) -> None:
+    def __init__(self, path: Path, config: TrainConfig) -> None:
         """Use `create` or `open` instead."""
-        self.path = path
+        super().__init__(path)
         self.config = config
-        self._lock = lock
         self._origin = fingerprint.origin(config)
         self.learner = new_learner(config, self._origin)
         self.actions = ACTION_SCHEMA.empty_table()
@@ -78,18 +76,11 @@ class RunFolder(Closing):
         try:
             path = folder_guard.new_default() if path is None else path
             path.mkdir(parents=True, exist_ok=True)
-            folder = cls(path, config, locking.lock(path))
+            folder = cls(path, config)
         except OSError as error:
             raise _not_writable(path, error) from error
-        try:
-            folder_guard.check_free(path)
-            config_file.write(path / CONFIG, config)
-            folder._write_state()
-        except BaseException as error:
-            folder.close()
-            if isinstance(error, OSError):
-                raise _not_writable(path, error) from error
-            raise
+        with folder.closed_if_it_fails():
+            folder._begin()
         return folder
 
     @classmethod
@@ -101,12 +92,9 @@ class RunFolder(Closing):
             FolderInUse: if another process works in it.
         """
         config = read_config(path)
-        folder = cls(path, config, locking.lock(path))
-        try:
+        folder = cls(path, config)
+        with folder.closed_if_it_fails():
             folder._read_state()
-        except BaseException:
-            folder.close()
-            raise
         return folder
 
     @property
@@ -137,11 +125,13 @@ class RunFolder(Closing):
         """Store the picture of the learning curve."""
         replace_file(self.path / CURVE, png)
 
-    def close(self) -> None:
-        """Let other processes use the folder."""
-        if self._lock >= 0:
-            os.close(self._lock)
-            self._lock = -1
+    def _begin(self) -> None:
+        folder_guard.check_free(self.path)
+        try:
+            config_file.write(self.path / CONFIG, self.config)
+            self._write_state()
+        except OSError as error:
+            raise _not_writable(self.path, error) from error
 
     def _write_state(self) -> None:
         for name, table in ((ACTIONS, self.actions), (TRIALS, self.trials)):

@@ -7,6 +7,7 @@ environment (a missing model file, no OpenGL), and only then does the run begin.
 import time
 from collections.abc import Callable, Mapping
 from contextlib import closing
+from dataclasses import asdict
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -95,7 +96,7 @@ def _check_same_run(folder: RunFolder, config: TrainConfig) -> None:
             f"{folder.path} has {stored.trials} trials; --trials can only add to them"
         )
     if config != stored.with_trials(config.trials):
-        wanted, had = _flat(config.as_dict()), _flat(stored.as_dict())
+        wanted, had = _flat(asdict(config)), _flat(asdict(stored))
         name = next(key for key in had if key != "trials" and had[key] != wanted[key])
         raise RunFolderError(
             f"{folder.path} is another run: its {name} is {had[name]}, "

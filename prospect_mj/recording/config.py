@@ -1,10 +1,10 @@
 """What a recording is of."""
 
-from dataclasses import asdict, dataclass, fields
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any, Literal, Self, get_args
 
-from prospect_mj.checks import check_integer
-from prospect_mj.errors import InvalidChoice
+from prospect_mj.checks import check_choice, check_integer, check_names
 
 # As `task` has them, without its imports of the physics: a recording is stepped where
 # there is no OpenGL.
@@ -32,23 +32,17 @@ class RecordingConfig:
         """Refuse numbers and choices that make no recording."""
         check_integer("seed", self.seed, 0, LARGEST_SEED)
         check_integer("grid cells per joint", self.grid_cells, 2, MOST_CELLS)
-        _check_choice("object pose", self.object_pose, ObjectPose)
-        _check_choice("gross motion", self.gross_motion, GrossMotion)
-
-    def as_dict(self) -> dict[str, Any]:
-        """Plain dictionary, the inverse of `from_dict`."""
-        return asdict(self)
+        check_choice("object pose", self.object_pose, get_args(ObjectPose))
+        check_choice("gross motion", self.gross_motion, get_args(GrossMotion))
 
     @classmethod
-    def from_dict(cls, plain: dict[str, Any]) -> Self:
-        """Build a configuration from what `as_dict` returned.
+    def from_dict(cls, plain: Mapping[str, Any]) -> Self:
+        """Build a configuration from what `dataclasses.asdict` returned.
 
         Raises:
             ProspectError: if a setting is missing, unknown or out of range.
         """
-        names = [setting.name for setting in fields(cls)]
-        if sorted(plain) != sorted(names):
-            raise InvalidChoice("settings", sorted(plain), names)
+        check_names(plain, cls)
         return cls(**plain)
 
 
@@ -65,8 +59,3 @@ class Extent:
         """Refuse sizes that make no recording."""
         check_integer("presentations", self.presentations, 1, 100_000)
         check_integer("depth", self.depth, 1, 40)
-
-
-def _check_choice(what: str, value: str, choices: object) -> None:
-    if value not in get_args(choices):
-        raise InvalidChoice(what, value, get_args(choices))

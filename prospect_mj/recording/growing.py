@@ -3,14 +3,13 @@
 Every file is replaced as a whole; a damaged one is never replaced.
 """
 
-import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Self
 
-from prospect_mj import locking, tables
-from prospect_mj.closing import Closing
+from prospect_mj import tables
 from prospect_mj.errors import RecordingError
+from prospect_mj.locking import LockedFolder
 from prospect_mj.recording import files
 from prospect_mj.recording import key as keys
 from prospect_mj.recording.config import Extent
@@ -21,7 +20,7 @@ from prospect_mj.storage import replace_file
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
 
-class GrowingRecording(Closing):
+class GrowingRecording(LockedFolder):
     """A recording that is open for growth, locked for one process.
 
     Attributes:
@@ -29,9 +28,10 @@ class GrowingRecording(Closing):
         key: what the recording is of.
     """
 
-    def __init__(self, path: Path, key: RecordingKey, lock: int) -> None:
+    def __init__(self, path: Path, key: RecordingKey) -> None:
         """Use `open` instead."""
-        self.path, self.key, self._lock = path, key, lock
+        super().__init__(path)
+        self.key = key
 
     @classmethod
     def open(cls, path: Path, key: RecordingKey) -> Self:
@@ -48,12 +48,9 @@ class GrowingRecording(Closing):
         """
         files.check_folder(path)
         path.mkdir(parents=True, exist_ok=True)
-        folder = cls(path, key, locking.lock(path))
-        try:
+        folder = cls(path, key)
+        with folder.closed_if_it_fails():
             folder._begin_or_check()
-        except BaseException:
-            folder.close()
-            raise
         return folder
 
     def _begin_or_check(self) -> None:
@@ -111,9 +108,3 @@ class GrowingRecording(Closing):
                 tree = self.tree(orientation, number)
                 if tree is not None and tree.is_complete(extent.depth):
                     yield tree
-
-    def close(self) -> None:
-        """Let other processes use the folder."""
-        if self._lock >= 0:
-            os.close(self._lock)
-            self._lock = -1

@@ -6,15 +6,16 @@ never mix.
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any, Self
+from typing import Self
 
 import yaml
 
 from prospect_mj.errors import ProspectError, RecordingError
 from prospect_mj.recording import provenance
 from prospect_mj.recording.config import RecordingConfig
+from prospect_mj.storage import read_yaml
 
 NAME = "recording.yaml"
 
@@ -59,14 +60,14 @@ class RecordingKey:
     @property
     def digest(self) -> str:
         """One digest of all that decides an outcome."""
-        parts = self.config.as_dict(), dict(self.sha256), dict(self.versions)
+        parts = asdict(self.config), dict(self.sha256), dict(self.versions)
         return provenance.sha256(json.dumps(parts, sort_keys=True).encode())
 
     def as_yaml(self) -> bytes:
         """The content of the file."""
         content = {
             "prospect_mj_recording": _FORMAT,
-            "config": self.config.as_dict(),
+            "config": asdict(self.config),
             "sha256": dict(self.sha256),
             "versions": dict(self.versions),
             "machine": dict(self.machine),
@@ -83,7 +84,7 @@ class RecordingKey:
         path = folder / NAME
         if not path.is_file():
             raise RecordingError(f"{folder} is not a recording: it has no {NAME}")
-        content = _parsed(path)
+        content = read_yaml(path, RecordingError)
         if content.get("prospect_mj_recording") != _FORMAT:
             raise RecordingError(f"{path} is not the key of a recording")
         try:
@@ -99,7 +100,7 @@ class RecordingKey:
         Args:
             other: the key that this one, of a recording, is held against.
         """
-        mine, theirs = self.config.as_dict(), other.config.as_dict()
+        mine, theirs = asdict(self.config), asdict(other.config)
         words = [
             f"its {name.replace('_', ' ')} is {mine[name]}, not {theirs[name]}"
             for name in mine
@@ -119,11 +120,3 @@ def _changed(
     names = sorted({*then, *now})
     pairs = [(name, then.get(name), now.get(name)) for name in names]
     return [(name, was, is_now) for name, was, is_now in pairs if was != is_now]
-
-
-def _parsed(path: Path) -> dict[str, Any]:
-    try:
-        content = yaml.safe_load(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
-        raise RecordingError(f"{path} can't be read: it is damaged") from error
-    return content if isinstance(content, dict) else {}

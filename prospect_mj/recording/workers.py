@@ -9,8 +9,7 @@ from typing import Any, Literal, TypeVar, get_args
 
 import joblib
 
-from prospect_mj.checks import check_integer
-from prospect_mj.errors import InvalidChoice
+from prospect_mj.checks import check_choice, check_integer
 from prospect_mj.recording.ray_cluster import connected
 
 Backend = Literal["local", "ray"]
@@ -34,8 +33,7 @@ class Workers:
     def __post_init__(self) -> None:
         """Refuse what can't work."""
         check_integer("jobs", self.jobs, 1, 4096)
-        if self.backend not in get_args(Backend):
-            raise InvalidChoice("backend", self.backend, get_args(Backend))
+        check_choice("backend", self.backend, get_args(Backend))
 
     @contextmanager
     def mapper(self) -> Iterator[Mapper]:

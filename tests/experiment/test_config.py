@@ -31,8 +31,8 @@ def test_dictionary_round_trip():
         features=FeatureSettings(reading="one_hot"),
         learner=LearnerSettings(epsilon=0.1),
     )
-    assert TrainConfig.from_dict(run.as_dict()) == run
-    read_back = json.loads(json.dumps(run.as_dict()))
+    assert TrainConfig.from_dict(dataclasses.asdict(run)) == run
+    read_back = json.loads(json.dumps(dataclasses.asdict(run)))
     assert TrainConfig.from_dict(read_back) == run
 
 
@@ -85,7 +85,7 @@ def test_bad_values_are_named(bad, named):
     ],
 )
 def test_foreign_dictionaries_are_refused(change):
-    plain = {**TrainConfig().as_dict(), **change}
+    plain = {**dataclasses.asdict(TrainConfig()), **change}
     with pytest.raises(ProspectError):
         TrainConfig.from_dict(plain)
 
@@ -105,7 +105,7 @@ def test_configuration_is_read_without_the_physics():
 
 
 def test_missing_setting_is_refused():
-    plain = TrainConfig().as_dict()
+    plain = dataclasses.asdict(TrainConfig())
     del plain["seed"]
     with pytest.raises(ProspectError):
         TrainConfig.from_dict(plain)

@@ -1,6 +1,6 @@
 """The key: what decides an outcome, and what has changed, in words."""
 
-from dataclasses import replace
+from dataclasses import asdict, replace
 
 import pytest
 import yaml
@@ -63,7 +63,7 @@ DAMAGED = {
     "binary": (b"\xff\xfe\x00".decode("latin-1"), "damaged"),
     "a list": ("- 1\n- 2\n", "is not the key of a recording"),
     "another format": (edited(prospect_mj_recording=99), "is not the key"),
-    "absurd seed": (edited(config={**KEY.config.as_dict(), "seed": -1}), "seed is -1"),
+    "absurd seed": (edited(config={**asdict(KEY.config), "seed": -1}), "seed is -1"),
     "unknown setting": (edited(config={"seed": 1, "speed": 2}), "speed"),
     "no settings": (edited(config=None), "damaged"),
     "no digests": (edited(sha256="abc"), "damaged"),

@@ -7,7 +7,7 @@ kernel draws.
 
 import time
 from collections.abc import Callable
-from typing import NamedTuple, Self
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,27 +37,6 @@ class _Drawn:
         self.random = iter(draws.ravel().tolist()).__next__
 
 
-class _Log(NamedTuple):
-    """What happened, as `Learned` has it."""
-
-    n_actions: NDArray[np.int8]
-    solved: NDArray[np.bool_]
-    action: NDArray[np.int8]
-    executed: NDArray[np.bool_]
-    inserted: NDArray[np.bool_]
-
-    @classmethod
-    def empty(cls, n_trials: int, max_actions: int) -> Self:
-        shape = n_trials, max_actions
-        return cls(
-            np.full(n_trials, max_actions, np.int8),
-            np.zeros(n_trials, np.bool_),
-            np.full(shape, -1, np.int8),
-            np.zeros(shape, np.bool_),
-            np.zeros(shape, np.bool_),
-        )
-
-
 def run_population_plainly(
     recording: Recording,
     scenario: Scenario,
@@ -76,11 +55,11 @@ def learn_plainly(programme: Programme, number: int) -> Learned:
     learner = LinearQ(settings.learner)
     learner.weights[:] = run.weights
     task = RecordedTask(programme.recording, programme.supervisor, settings.max_actions)
-    log = _Log.empty(len(run.lid), settings.max_actions)
+    done = Learned.nothing(run.lid, settings.max_actions, learner.weights)
     for trial in range(len(run.lid)):
         task.begin(int(run.trials.root[trial]))
-        _run_trial(programme, run, learner, task, trial, log)
-    return Learned(run.lid, *log, learner.weights)
+        _run_trial(programme, run, learner, task, trial, done)
+    return done
 
 
 def _run_trial(
@@ -89,7 +68,7 @@ def _run_trial(
     learner: LinearQ,
     task: RecordedTask,
     trial: int,
-    log: _Log,
+    done: Learned,
 ) -> None:
     settings, supervisor = programme.settings, programme.supervisor
     rng = _Drawn(run.trials.draws[trial])
@@ -106,11 +85,11 @@ def _run_trial(
         terminated = task.inserted or ends
         learner.update(features, action, -1.0, next_features, terminated, allowed)
         features = next_features
-        log.action[trial, step] = action
-        log.executed[trial, step] = outcome.executed
-        log.inserted[trial, step] = task.inserted
+        done.action[trial, step] = action
+        done.executed[trial, step] = outcome.executed
+        done.inserted[trial, step] = task.inserted
         if task.inserted:
-            log.n_actions[trial], log.solved[trial] = step + 1, True
+            done.n_actions[trial], done.solved[trial] = step + 1, True
             return
 
 

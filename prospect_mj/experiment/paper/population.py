@@ -39,19 +39,9 @@ class Population:
     was no grasp."""
 
     @classmethod
-    def of(cls, scenario: Scenario, rows: Sequence["Row"]) -> Self:
-        """Put the rows of all runs together."""
+    def of(cls, scenario: Scenario, rows: Sequence[tuple[NDArray, ...]]) -> Self:
+        """Put all runs together, each as `Learned.row` has it."""
         return cls(scenario, *map(np.stack, zip(*rows, strict=True)))
-
-
-class Row(NamedTuple):
-    """What a `Population` keeps of one run, each (n_trials,)."""
-
-    lid: NDArray[np.int8]
-    n_actions: NDArray[np.int8]
-    solved: NDArray[np.bool_]
-    strategy: NDArray[np.int8]
-    first_hand: NDArray[np.int8]
 
 
 class Learned(NamedTuple):
@@ -72,12 +62,23 @@ class Learned(NamedTuple):
     weights: NDArray[np.float64]
     """(6, 303) at the end."""
 
+    @classmethod
+    def nothing(
+        cls, lid: NDArray[np.int8], max_actions: int, weights: NDArray[np.float64]
+    ) -> Self:
+        """A run before its first trial."""
+        shape = len(lid), max_actions
+        n_actions = np.full(len(lid), max_actions, np.int8)
+        solved, action = np.zeros(len(lid), np.bool_), np.full(shape, -1, np.int8)
+        executed, inserted = np.zeros((2, *shape), np.bool_)
+        return cls(lid, n_actions, solved, action, executed, inserted, weights)
+
     @property
-    def row(self) -> Row:
-        """What a `Population` keeps of it."""
+    def row(self) -> tuple[NDArray, ...]:
+        """What a `Population` keeps of it, each (n_trials,), in the same order."""
         strategy = classify(self.lid, self.action, self.executed, self.inserted)
         hand = first_hand(self.action, self.executed)
-        return Row(self.lid, self.n_actions, self.solved, strategy, hand)
+        return self.lid, self.n_actions, self.solved, strategy, hand
 
 
 def run_population(
@@ -128,7 +129,7 @@ def learn(programme: Programme, number: int) -> Learned:
     )
 
 
-def _row(programme: Programme, number: int) -> Row:
+def _row(programme: Programme, number: int) -> tuple[NDArray, ...]:
     return learn(programme, number).row
 
 

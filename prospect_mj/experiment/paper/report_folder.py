@@ -6,7 +6,6 @@ figure_5a.png ...   with the numbers of each in figure_5a.parquet ...
 report.md           what came out
 """
 
-import os
 from dataclasses import asdict
 from pathlib import Path
 from typing import Self
@@ -14,30 +13,31 @@ from typing import Self
 import pyarrow as pa
 import yaml
 
-from prospect_mj import locking, tables
-from prospect_mj.closing import Closing
+from prospect_mj import tables
 from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
-from prospect_mj.storage import replace_file, temporary
+from prospect_mj.locking import LockedFolder
+from prospect_mj.storage import read_yaml, replace_file, temporary
 
 NAME = "reproduction.yaml"
 REPORT = "report.md"
 
 _FORMAT = 1
-_END = "\n...\n"
+_END = b"\n...\n"
 """Of a YAML document; a half-written one lacks it."""
 
 
-class ReportFolder(Closing):
+class ReportFolder(LockedFolder):
     """An open folder, locked for one process.
 
     Attributes:
         path: the folder.
     """
 
-    def __init__(self, path: Path, origin: str, lock: int) -> None:
+    def __init__(self, path: Path, origin: str) -> None:
         """Use `open` instead."""
-        self.path, self._origin, self._lock = path, origin, lock
+        super().__init__(path)
+        self._origin = origin
 
     @classmethod
     def open(cls, path: Path, config: ReproduceConfig, origin: str) -> Self:
@@ -59,12 +59,9 @@ class ReportFolder(Closing):
             path.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise RunFolderError(f"{path} can't be made: {error.strerror}") from error
-        folder = cls(path, origin, locking.lock(path))
-        try:
+        folder = cls(path, origin)
+        with folder.closed_if_it_fails():
             folder._begin_or_check(config)
-        except BaseException:
-            folder.close()
-            raise
         return folder
 
     def _begin_or_check(self, config: ReproduceConfig) -> None:
@@ -80,7 +77,7 @@ class ReportFolder(Closing):
                 raise RunFolderError(f"{self.path} is not empty; choose another folder")
             text = yaml.safe_dump(wanted, sort_keys=False, explicit_end=True)
             replace_file(path, text.encode())
-        found = _parsed(path)
+        found = _read(path)
         if found != wanted:
             differs = [name for name in wanted if found.get(name) != wanted[name]]
             raise RunFolderError(
@@ -96,19 +93,9 @@ class ReportFolder(Closing):
         """Write a table as Parquet, all or nothing."""
         self.write(f"{name}.parquet", tables.parquet(table, self._origin))
 
-    def close(self) -> None:
-        """Let other processes use the folder."""
-        if self._lock >= 0:
-            os.close(self._lock)
-            self._lock = -1
 
-
-def _parsed(path: Path) -> dict[str, object]:
-    try:
-        text = path.read_text(encoding="utf-8")
-        content = yaml.safe_load(text) if text.endswith(_END) else None
-    except (OSError, UnicodeDecodeError, yaml.YAMLError):
-        content = None
-    if not isinstance(content, dict):
+def _read(path: Path) -> dict[str, object]:
+    content = read_yaml(path, RunFolderError)
+    if not path.read_bytes().endswith(_END):
         raise RunFolderError(f"{path} can't be read: it is damaged")
     return content

@@ -1,16 +1,15 @@
 """What is presented in the paper's experiment, and to which learner."""
 
 from dataclasses import dataclass, field
-from typing import get_args
 
 from prospect_mj.agent.features import N_FEATURES, FeatureSettings
 from prospect_mj.agent.settings import LearnerSettings
-from prospect_mj.checks import check_integer, check_number
-from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.checks import check_choice, check_integer, check_number
+from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.records import ACTION_NAMES
 from prospect_mj.recording.config import LARGEST_SEED
 from prospect_mj.supervisor.supervisor import Mode, Supervisor
-from prospect_mj.task.presentation import Orientation
+from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
 _MOST = 100_000
 _MOST_ACTIONS = 100
@@ -31,8 +30,7 @@ class Scenario:
         """Refuse numbers and choices that make no run."""
         check_integer("trials", self.trials, 1, _MOST)
         check_integer("pretraining trials", self.pretrain, 0, self.trials)
-        if self.dominant not in get_args(Orientation):
-            raise InvalidChoice("dominant hand", self.dominant, get_args(Orientation))
+        check_choice("dominant hand", self.dominant, ORIENTATIONS)
 
 
 @dataclass(frozen=True)

@@ -5,30 +5,17 @@ recording's outcomes, the code of the learner and of what is below it, and the v
 of the packages that compute them.
 """
 
-import inspect
 import json
 import time
-from collections.abc import Sequence
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pyarrow as pa
 from pyarrow.lib import ArrowException
 
-from prospect_mj import tables
-from prospect_mj.agent import features, linear_q
+from prospect_mj import paths, tables
 from prospect_mj.errors import ForeignTable, RunFolderError
-from prospect_mj.experiment.paper import (
-    compiled_learner,
-    kernel,
-    outcome_graph,
-    population,
-    programme,
-    scenario,
-    strategies,
-)
 from prospect_mj.experiment.paper.population import Population, run_population
 from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
 from prospect_mj.recording.provenance import (
@@ -40,18 +27,18 @@ from prospect_mj.recording.provenance import (
 from prospect_mj.recording.recording import Recording
 from prospect_mj.storage import replace_file
 
-CODE: Sequence[ModuleType] = (
-    features,
-    linear_q,
-    compiled_learner,
-    kernel,
-    outcome_graph,
-    population,
-    programme,
-    scenario,
-    strategies,
+CODE = (
+    "agent/features.py",
+    "agent/linear_q.py",
+    "experiment/paper/compiled_learner.py",
+    "experiment/paper/kernel.py",
+    "experiment/paper/outcome_graph.py",
+    "experiment/paper/population.py",
+    "experiment/paper/programme.py",
+    "experiment/paper/scenario.py",
+    "experiment/paper/strategies.py",
 )
-"""Beside all code below the learner."""
+"""Files of the package, beside all code below the learner."""
 PACKAGES = ("numpy", "numba")
 _KEPT = [field.name for field in fields(Population) if field.name != "scenario"]
 _SCHEMA = pa.schema(
@@ -145,9 +132,9 @@ def recording_digest(recording: Recording) -> str:
     return sha256(json.dumps(parts).encode())
 
 
-def code() -> str:
-    """Digest of the code that decides what is learned."""
-    learner = ((module.__name__, inspect.getsource(module)) for module in CODE)
+def code(package: Path = Path(paths.__file__).parent) -> str:
+    """Digest of the code of this package that decides what is learned."""
+    learner = ((name, (package / name).read_text("utf-8")) for name in CODE)
     return sha256(f"{code_digest(learner)} {source_digest()}".encode())
 
 

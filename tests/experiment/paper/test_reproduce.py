@@ -8,7 +8,7 @@ import pyarrow.parquet as pq
 import pytest
 from ideal_recording import ideal, recording
 
-from prospect_mj import locking, tables
+from prospect_mj import tables
 from prospect_mj.cli import reproduce as command
 from prospect_mj.errors import InvalidValue, RunFolderError
 from prospect_mj.experiment.paper import ablation, live_check, store
@@ -17,6 +17,7 @@ from prospect_mj.experiment.paper.reproduce import n_steps, reproduce
 from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
 from prospect_mj.experiment.paper.sample import title
 from prospect_mj.experiment.paper.statements import STATEMENTS
+from prospect_mj.locking import LockedFolder
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
 from prospect_mj.recording.schema import SCHEMA
@@ -251,7 +252,6 @@ def test_the_command_writes_the_report_and_nothing_but_its_path(
     assert said.out == f"wrote {out / 'report.md'}\n"
     assert said.err == ""
     # Another process at work there is an error, too.
-    lock = locking.lock(out)
-    assert command.main([*sizes.split(), "--out", str(out)]) == 2
+    with LockedFolder(out):
+        assert command.main([*sizes.split(), "--out", str(out)]) == 2
     assert "in use by another process" in capsys.readouterr().err
-    assert lock >= 0

@@ -1,10 +1,11 @@
-import inspect
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from ideal_recording import ideal, recording
 
+from prospect_mj import paths
 from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.paper import store
 from prospect_mj.experiment.paper.population import run_population
@@ -12,6 +13,7 @@ from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
 from prospect_mj.experiment.paper.store import Store, recording_digest
 
 SCENARIO, SETTINGS = Scenario(30, 10), PopulationSettings(runs=3)
+PACKAGE = Path(paths.__file__).parent
 
 
 @pytest.fixture(scope="module")
@@ -68,17 +70,18 @@ def test_another_scenario_setting_recording_or_learner_is_another_population(
     assert len(list(tmp_path.glob("*.parquet"))) == 5
 
 
-@pytest.mark.parametrize("module", store.CODE, ids=lambda module: module.__name__)
-def test_a_change_of_any_code_that_decides_is_another_population(module, monkeypatch):
-    before, source = store.code(), inspect.getsource
-    # A comment or a docstring decides nothing.
+@pytest.mark.parametrize("changed", store.CODE)
+def test_a_change_of_any_code_that_decides_is_another_population(tmp_path, changed):
+    for name in store.CODE:
+        copy = tmp_path / name
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_text((PACKAGE / name).read_text("utf-8"), "utf-8")
+    assert store.code(tmp_path) == store.code()
+    # A comment decides nothing.
     for added, same in (("# Words.\n", True), ("CHANGED = 1\n", False)):
-        monkeypatch.setattr(
-            store.inspect,
-            "getsource",
-            lambda of, added=added: source(of) + (added if of is module else ""),
-        )
-        assert (store.code() == before) == same
+        with (tmp_path / changed).open("a", encoding="utf-8") as file:
+            file.write(added)
+        assert (store.code(tmp_path) == store.code()) == same
 
 
 @pytest.mark.parametrize("package", ["numpy", "numba"])
