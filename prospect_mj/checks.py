@@ -48,11 +48,11 @@ def check_number(
         raise InvalidValue(what, value, f"a number in {bracket}{least}, {most}]")
 
 
-def check_choice(what: str, value: object, choices: Collection[str]) -> None:
-    """Refuse all but some words.
+def check_choice(what: str, value: object, choices: Collection[object]) -> None:
+    """Refuse all but some values.
 
     Raises:
-        InvalidChoice: with the words.
+        InvalidChoice: with the values.
     """
     if value not in choices:
         raise InvalidChoice(what, value, choices)

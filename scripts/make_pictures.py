@@ -4,11 +4,11 @@ import sys
 from pathlib import Path
 
 import cv2
-import mujoco
 import numpy as np
 
 from prospect_mj.actions.action import Action
 from prospect_mj.sim import overview
+from prospect_mj.sim.offscreen import OffscreenRenderer
 from prospect_mj.task.pick_place import PickPlaceTask
 
 SIZE = (720, 1280)
@@ -17,7 +17,7 @@ ACTIONS = (Action.GRASP_RIGHT, Action.SWAP_RIGHT_TO_LEFT, Action.INSERT_LEFT)
 
 def photograph(task: PickPlaceTask) -> np.ndarray:
     """A picture (720, 1280, 3) uint8 RGB of the scene as it is."""
-    with mujoco.Renderer(task.simulation.model, *SIZE) as renderer:
+    with OffscreenRenderer(task.simulation.model, *SIZE) as renderer:
         renderer.update_scene(task.simulation.data, overview.camera())
         return renderer.render()
 

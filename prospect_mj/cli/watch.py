@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from prospect_mj.actions.action import Action
+from prospect_mj.checks import check_choice
 from prospect_mj.cli import command_line
-from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.errors import InvalidValue
 from prospect_mj.robot.names import Side
 from prospect_mj.sim import gl
 
@@ -31,8 +32,7 @@ class WatchOptions:
         """Refuse actions that do not exist and files that do."""
         labels = [action.label for action in Action]
         for name in self.actions:
-            if name not in labels:
-                raise InvalidChoice("action", name, labels)
+            check_choice("action", name, labels)
         if self.seed < 0:
             raise InvalidValue("seed", self.seed, "0 or more")
         if self.video is not None:

@@ -6,9 +6,9 @@ from typing import Literal, get_args
 import mink
 import numpy as np
 
+from prospect_mj.checks import check_choice
 from prospect_mj.control.differential_ik import DifferentialIK
 from prospect_mj.control.kinematics import KinematicTwin
-from prospect_mj.errors import InvalidChoice
 from prospect_mj.planning.planner import GrossPlanner
 from prospect_mj.planning.settings import PlannerSettings
 from prospect_mj.robot.names import Side
@@ -53,8 +53,7 @@ def arm_control(
     Raises:
         InvalidChoice: if it is neither.
     """
-    if gross_motion not in GROSS_MOTIONS:
-        raise InvalidChoice("gross motion", gross_motion, GROSS_MOTIONS)
+    check_choice("gross motion", gross_motion, GROSS_MOTIONS)
     planned = gross_motion == "harmonic"
     planner = GrossPlanner(twin.model, side, planning) if planned else None
     return ArmControl(side, twin, DifferentialIK(twin, side), planner)

@@ -9,6 +9,7 @@ from prospect_mj.experiment.field_slice import POST, SCENE, SIDE
 from prospect_mj.planning.arm_body import geoms_of
 from prospect_mj.robot import names, posture
 from prospect_mj.sim import overview
+from prospect_mj.sim.offscreen import OffscreenRenderer
 from prospect_mj.sim.scene import compile_scene, obstacle_mocap
 
 _OPACITY = 0.5
@@ -34,7 +35,7 @@ def photograph(
     overview.light_for_people(model, size)
     dynamic = mujoco.mjtCatBit.mjCAT_DYNAMIC
     option, nothing = mujoco.MjvOption(), mujoco.MjvPerturb()
-    with mujoco.Renderer(model, *size) as renderer:
+    with OffscreenRenderer(model, *size) as renderer:
         renderer.update_scene(_posed(model, configurations[-1]), _camera())
         scene = renderer.scene
         for geom in _of_arm(model, scene, 0):

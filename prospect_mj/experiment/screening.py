@@ -13,6 +13,7 @@ import numpy as np
 from prospect_mj.actions.action import Action, ActionOutcome
 from prospect_mj.errors import InvalidValue
 from prospect_mj.sim import overview
+from prospect_mj.sim.offscreen import OffscreenRenderer
 from prospect_mj.task.pick_place import PickPlaceTask
 from prospect_mj.task.presentation import Orientation
 
@@ -92,5 +93,5 @@ def _film(path: Path, model: mujoco.MjModel) -> Iterator[Observer]:
         raise InvalidValue("--video", str(path), "a file that can be written")
     with ExitStack() as stack:
         stack.callback(writer.release)
-        renderer = stack.enter_context(mujoco.Renderer(model, *SIZE))
+        renderer = stack.enter_context(OffscreenRenderer(model, *SIZE))
         yield shoot

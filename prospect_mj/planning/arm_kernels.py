@@ -100,7 +100,8 @@ def upper_arm_solids(arm, frames):  # noqa: ANN001, ANN201
     return rows
 
 
-@njit(cache=True, error_model="numpy")
+# Of several signatures: not cached, see `kernel_cache`.
+@njit(error_model="numpy")
 def point(frames, at, local, k):  # noqa: ANN001, ANN201
     """Row `k` of points in a frame, in the world (3,)."""
     a, b, c = local[k, 0], local[k, 1], local[k, 2]
@@ -111,7 +112,8 @@ def point(frames, at, local, k):  # noqa: ANN001, ANN201
     )
 
 
-@njit(cache=True, error_model="numpy")
+# Of several signatures: not cached, see `kernel_cache`.
+@njit(error_model="numpy")
 def link_clearance(spheres, link, frames, rows, ceiling):  # noqa: ANN001, ANN201
     """Least distance of a link to the solids that concern it [m], or the ceiling.
 

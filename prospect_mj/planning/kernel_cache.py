@@ -5,6 +5,11 @@ that it calls has changed in another file. A folder named for the content of all
 leaves no stale code behind. It is the user's, so that a read-only installation works;
 where the user has no folder to write to, the code is compiled anew by every process.
 The setting is numba's own: other libraries' compiled code goes to the same folder.
+
+Two processes may compile at the same time. numba numbers the files of a function's
+signatures, and two that save different ones can get the same number: a function that is
+compiled for more than one signature is therefore not cached itself, only in what calls
+it.
 """
 
 import atexit

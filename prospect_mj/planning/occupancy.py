@@ -59,7 +59,8 @@ def room_among(arm, shoulders, elbows, rows, margin, most):  # noqa: ANN001, ANN
     return room
 
 
-@njit(cache=True, error_model="numpy")
+# Of several signatures: not cached, see `kernel_cache`.
+@njit(error_model="numpy")
 def wrist_at(chart, gross, k, out):  # noqa: ANN001, ANN201
     """Wrist (3,) [rad] at shoulder and elbow: row `k` of `gross` (n, 4) [rad].
 

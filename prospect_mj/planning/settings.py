@@ -5,7 +5,8 @@ from typing import Literal, Self, get_args
 
 import numpy as np
 
-from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.checks import check_choice
+from prospect_mj.errors import InvalidValue
 from prospect_mj.planning.arm_kernels import FOLDED_CLEARANCE
 from prospect_mj.planning.joint_grid import JointGrid
 from prospect_mj.planning.laplace import SolverSettings
@@ -51,8 +52,7 @@ class Attempt:
             value = getattr(self, name)
             if not isinstance(value, int) or value < 1:
                 raise InvalidValue(name, value, "an integer of at least 1")
-        if self.wrist not in get_args(Wrist):
-            raise InvalidChoice("wrist", self.wrist, get_args(Wrist))
+        check_choice("wrist", self.wrist, get_args(Wrist))
 
 
 _TIGHT = Attempt(refinement=1, cell_margin=0.012, path_margin=0.008)

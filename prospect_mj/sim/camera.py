@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from prospect_mj.closing import Closing
 from prospect_mj.errors import InvalidValue, RenderingUnavailable
 from prospect_mj.sim import gl
+from prospect_mj.sim.offscreen import OffscreenRenderer
 from prospect_mj.sim.pinhole import Pinhole
 
 Image = NDArray[np.uint8]
@@ -70,7 +71,9 @@ class StereoCamera(Closing):
         self.left = Pinhole.of_model(model, left, self.settings.size)
         self.right = Pinhole.of_model(model, right, self.settings.size)
         self._process = os.getpid()
-        self._renderer: mujoco.Renderer | None = mujoco.Renderer(model, rows, columns)
+        self._renderer: OffscreenRenderer | None = OffscreenRenderer(
+            model, rows, columns
+        )
         # Left to the interpreter's last collection, MuJoCo's destructor fails noisily.
         atexit.register(self.close)
 
@@ -97,7 +100,7 @@ class StereoCamera(Closing):
         self._renderer = None
         atexit.unregister(self.close)
 
-    def _usable_renderer(self) -> mujoco.Renderer:
+    def _usable_renderer(self) -> OffscreenRenderer:
         if self._renderer is None:
             raise RenderingUnavailable("this camera is closed; make a new StereoCamera")
         if os.getpid() != self._process:

@@ -11,7 +11,8 @@ import mujoco
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.checks import check_choice
+from prospect_mj.errors import InvalidValue
 
 # From MuJoCo's right, up, backward to right, down, forward.
 _FLIP = np.diag([1.0, -1.0, -1.0])
@@ -39,8 +40,7 @@ class Pinhole:
             InvalidValue: if the camera's body can move, as then no pose is its own.
         """
         names = [model.camera(i).name for i in range(model.ncam)]
-        if name not in names:
-            raise InvalidChoice("camera", name, names)
+        check_choice("camera", name, names)
         camera = model.camera(name)
         if model.body_weldid[camera.bodyid[0]] != 0:
             raise InvalidValue("camera", name, "a camera fixed to the world")

@@ -12,6 +12,7 @@ from typing import Generic, NamedTuple, Self, TypeVar
 
 import networkx as nx
 
+from prospect_mj.checks import check_choice
 from prospect_mj.errors import InvalidChoice, InvalidValue
 
 State = TypeVar("State", bound=Hashable)
@@ -71,8 +72,7 @@ class Automaton(Generic[State, Event]):
 
     def enabled(self, state: State) -> Mapping[Event, State]:
         """The events possible in a state, and where they lead."""
-        if state not in self.states:
-            raise InvalidChoice("state", state, self.states)
+        check_choice("state", state, self.states)
         return self.transitions.get(state, {})
 
     def graph(self, events: Iterable[Event] | None = None) -> "nx.MultiDiGraph[State]":
@@ -89,8 +89,7 @@ class Automaton(Generic[State, Event]):
     def reachable(self, start: State | None = None) -> frozenset[State]:
         """States that some word leads to, from `start` or else the initial state."""
         root = self.initial if start is None else start
-        if root not in self.states:
-            raise InvalidChoice("state", root, self.states)
+        check_choice("state", root, self.states)
         return frozenset({root} | nx.descendants(self.graph(), root))
 
     def coreachable(

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from typing import Self
 
 from prospect_mj.actions.action import Action
-from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.checks import check_choice
+from prospect_mj.errors import InvalidValue
 
 _ACTIONS = {action.label: action for action in Action}
 
@@ -53,8 +54,7 @@ def _entry(text: str) -> tuple[Action, int]:
     if not isinstance(text, str) or text.count(":") != 1:
         raise InvalidValue("shaping", text, form)
     name, number = text.split(":")
-    if name not in _ACTIONS:
-        raise InvalidChoice("action in shaping", name, _ACTIONS)
+    check_choice("action in shaping", name, _ACTIONS)
     if not (number.isascii() and number.isdigit()):
         raise InvalidValue(f"trials of {name} in shaping", number, "0 or more")
     return _ACTIONS[name], int(number)

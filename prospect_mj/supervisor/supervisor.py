@@ -12,7 +12,8 @@ from typing import Literal, get_args
 import numpy as np
 
 from prospect_mj.actions.action import Action
-from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.checks import check_choice
+from prospect_mj.errors import InvalidValue
 from prospect_mj.supervisor import effects
 from prospect_mj.supervisor.plant import Situation, Start, supervision
 from prospect_mj.supervisor.predicates import PredicateState, every_state
@@ -40,8 +41,7 @@ class Supervisor:
 
     def __init__(self, mode: Mode = "none", shaping: Sequence[str] = ()) -> None:
         """Supervise in a mode."""
-        if mode not in MODES:
-            raise InvalidChoice("supervisor mode", mode, MODES)
+        check_choice("supervisor mode", mode, MODES)
         self.mode: Mode = mode
         self.schedule = Schedule.parse(shaping)
         if self.schedule.entries:

@@ -9,9 +9,9 @@ from prospect_mj.actions.action import Action, ActionOutcome, ActionResult
 from prospect_mj.actions.belief import Belief, SeenJar
 from prospect_mj.actions.runner import ActionRunner
 from prospect_mj.actions.workspace import workspace
+from prospect_mj.checks import check_choice
 from prospect_mj.closing import Closing
 from prospect_mj.control.arm_control import GROSS_MOTIONS, GrossMotion
-from prospect_mj.errors import InvalidChoice
 from prospect_mj.planning.settings import PlannerSettings
 from prospect_mj.robot.names import Side
 from prospect_mj.robot.torso import Torso
@@ -58,10 +58,8 @@ class TaskSettings:
 
     def __post_init__(self) -> None:
         """Refuse choices that are none, and a schedule that can't be."""
-        if self.object_pose not in get_args(ObjectPose):
-            raise InvalidChoice("object pose", self.object_pose, get_args(ObjectPose))
-        if self.gross_motion not in GROSS_MOTIONS:
-            raise InvalidChoice("gross motion", self.gross_motion, GROSS_MOTIONS)
+        check_choice("object pose", self.object_pose, get_args(ObjectPose))
+        check_choice("gross motion", self.gross_motion, GROSS_MOTIONS)
         Supervisor(self.supervisor, self.shaping)
 
 

@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from prospect_mj.errors import InvalidChoice
+from prospect_mj.checks import check_choice
 from prospect_mj.sim.camera import Image
 
 N_BINS = 100
@@ -18,8 +18,9 @@ Gain = Literal["automatic", "fixed"]
 GAINS: tuple[Gain, ...] = ("automatic", "fixed")
 # Grey levels from dark to bright that automatic gain stretches to the full range [%].
 _STRETCHED = (1.0, 99.0)
-# Weights of red, green and blue in perceived brightness (ITU-R BT.601).
-_LUMA = np.array([0.299, 0.587, 0.114], np.float32)
+# Weights of red, green and blue in perceived brightness (ITU-R BT.601), in thousandths:
+# whole numbers fall into the same bin on every processor.
+_LUMA = np.array([299, 587, 114])
 
 
 def intensity_histogram(pixels: Image, gain: Gain) -> NDArray[np.int64]:
@@ -34,11 +35,10 @@ def intensity_histogram(pixels: Image, gain: Gain) -> NDArray[np.int64]:
     Returns:
         (100,) [pixels], dark first; the sum is n.
     """
-    if gain not in GAINS:
-        raise InvalidChoice("gain", gain, GAINS)
+    check_choice("gain", gain, GAINS)
     if len(pixels) == 0:
         return np.zeros(N_BINS, np.int64)
-    grey = pixels @ _LUMA
+    grey = pixels @ _LUMA / 1000
     low, high = np.percentile(grey, _STRETCHED) if gain == "automatic" else (0.0, WHITE)
     scale = N_BINS / max(high - low, 1.0)
     bins = np.clip((grey - low) * scale, 0, N_BINS - 1).astype(np.int64)

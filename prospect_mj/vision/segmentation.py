@@ -60,7 +60,7 @@ def segment(patch: Image, settings: SegmentationSettings) -> NDArray[np.uint8]:
         (rows, columns) 1 on the object, 0 elsewhere; all 0 if there is none.
     """
     smooth = cv2.GaussianBlur(patch, (settings.smoothing,) * 2, 0)
-    channels = np.array(cv2.split(smooth), np.float32)
+    channels = np.array(cv2.split(smooth), np.float64)
     frame = _frame(patch.shape[:2], settings.border)
     brightness = channels.max(axis=0)
     hue = _distance_from_hue(channels, channels[:, frame].sum(axis=1))
@@ -78,8 +78,8 @@ def _frame(shape: tuple[int, int], width: int) -> NDArray[np.bool_]:
 
 
 def _distance_from_hue(
-    channels: NDArray[np.float32], hue: NDArray[np.float32]
-) -> NDArray[np.float32]:
+    channels: NDArray[np.float64], hue: NDArray[np.float64]
+) -> NDArray[np.float64]:
     """Distance (rows, columns) of colours from the line of all shades of `hue` (3,)."""
     unit = hue / max(float(np.linalg.norm(hue)), 1e-6)
     along = np.tensordot(unit, channels, axes=1)

@@ -9,9 +9,9 @@ beforehand but that it is long, round and horizontal.
 
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import map_coordinates
 from scipy.optimize import minimize_scalar
 
 from prospect_mj.vision.view import Vectors, View
@@ -27,8 +27,8 @@ class StereoSettings:
     """[m]"""
     step: float = 0.02
     """Between the distances tried first [m]; the peak is some 5 cm wide."""
-    tolerance: float = 0.0002
-    """Of the distance in the end [m]."""
+    tolerance: float = 1e-6
+    """Of the distance in the end [m]; a coarse one is at the mercy of rounding."""
     stride: int = 7
     """Every how manieth pixel is compared."""
     clearance: int = 10
@@ -115,12 +115,14 @@ class _Match:
         shared = surface.turn < self._settings.grazing
         if np.count_nonzero(shared) < self._settings.min_compared:
             return 0.0
-        there = self._right.eye.project(surface.points[shared]).astype(np.float32)
-        found = cv2.remap(self._right.grey, there[None], None, cv2.INTER_LINEAR)[0]
+        columns, rows = self._right.eye.project(surface.points[shared]).T
+        found = map_coordinates(
+            self._right.grey, [rows, columns], order=1, mode="nearest"
+        )
         return _correlation(found, self._seen[shared])
 
 
-def _correlation(a: NDArray[np.float32], b: NDArray[np.float32]) -> float:
+def _correlation(a: NDArray[np.float64], b: NDArray[np.float64]) -> float:
     """Pearson's coefficient; 0 where one of them does not vary."""
     a, b = a - a.mean(), b - b.mean()
     spread = np.sqrt((a @ a) * (b @ b))

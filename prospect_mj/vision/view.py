@@ -31,7 +31,7 @@ class View:
 
     eye: Pinhole
     silhouette: Silhouette
-    grey: NDArray[np.float32]
+    grey: NDArray[np.float64]
     """Smoothed image (rows, columns) [grey levels]."""
 
     def direction_at(self, height: float) -> Vectors:

@@ -124,8 +124,8 @@ def _region(eye: Pinhole, workspace: Workspace) -> Region:
     return Region(*low.tolist(), *(high - low).tolist())
 
 
-def _smooth_grey(image: Image, settings: SegmentationSettings) -> NDArray[np.float32]:
-    grey = cv2.cvtColor(image, cv2.COLOR_RGB2GRAY).astype(np.float32)
+def _smooth_grey(image: Image, settings: SegmentationSettings) -> NDArray[np.float64]:
+    grey = cv2.cvtColor(image, cv2.COLOR_RGB2GRAY).astype(np.float64)
     return cv2.GaussianBlur(grey, (settings.smoothing,) * 2, 0)
 
 

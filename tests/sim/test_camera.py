@@ -103,6 +103,19 @@ def test_closing_twice_is_fine_and_a_closed_camera_says_so():
 
 
 @pytest.mark.gl
+@pytest.mark.parametrize("last", [0, 1], ids=["the open one", "the closed one"])
+def test_closing_a_camera_leaves_what_another_one_sees_as_it_was(last):
+    """MuJoCo frees OpenGL's objects by number, which another context uses, too."""
+    (model, data), rng = scene(), np.random.default_rng
+    with StereoCamera(model) as camera, StereoCamera(model) as other:
+        before = camera.capture(data, rng(0))
+        (camera, other)[last].capture(data, rng(0))
+        other.close()
+        for was, now in zip(before, camera.capture(data, rng(0)), strict=True):
+            np.testing.assert_array_equal(now, was)
+
+
+@pytest.mark.gl
 def test_a_camera_does_not_survive_a_fork():
     model, data = scene()
     with StereoCamera(model) as camera:

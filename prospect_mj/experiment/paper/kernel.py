@@ -35,7 +35,7 @@ class Graph(NamedTuple):
     """(n,): the node in which the trial is after this one."""
     inserted: NDArray[np.bool_]
     """(n,): whether the jar stands in the receptacle, which ends a trial."""
-    holding: NDArray[np.int8]
+    holding: NDArray[np.int64]
     """(n,): 0 = no hand holds the jar, 1 = left, 2 = right."""
     state: NDArray[np.int32]
     """(n,): number of the supervisor's state."""

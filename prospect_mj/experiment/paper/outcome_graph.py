@@ -34,7 +34,7 @@ def recorded_graph(recording: Recording, supervisor: Supervisor) -> Graph:
         child=np.array(nodes.child, np.int32),
         situation=np.array(nodes.situation, np.int32),
         inserted=np.array(nodes.inserted, np.bool_),
-        holding=np.array(nodes.holding, np.int8),
+        holding=np.array(nodes.holding, np.int64),
         state=np.array(nodes.predicates, np.int32),
         choices=_choices(supervisor, recording.predicates.states),
     )
@@ -76,7 +76,7 @@ def ideal_graph() -> Graph:
         child=child,
         situation=np.arange(n, dtype=np.int32),
         inserted=np.arange(n) % _NODES_PER_LID == _INSERTED,
-        holding=np.array([NONE, LEFT, RIGHT, NONE] * len(HANDS), np.int8),
+        holding=np.array([NONE, LEFT, RIGHT, NONE] * len(HANDS), np.int64),
         state=np.zeros(n, np.int32),
         choices=np.ones((1, 1, len(Action)), np.bool_),
     )

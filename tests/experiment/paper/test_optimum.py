@@ -45,7 +45,7 @@ def random_graph(rng, n=14):
         child=np.where(rng.random((n, 6)) < 0.3, rng.integers(n, size=(n, 6)), 0),
         situation=np.arange(n),
         inserted=inserted,
-        holding=np.zeros(n, np.int8),
+        holding=np.zeros(n, np.int64),
         state=rng.integers(3, size=n),
         choices=choices,
     )
