@@ -50,7 +50,8 @@ class LinearQ:
         Args:
             settings: parameters.
             origin: what the weights will be learned in.
-            rng: draws the initial weights; None: they are zero.
+            rng: draws the initial weights; None: they are zero, whatever their
+                deviation in `settings`.
         """
         self.origin = origin
         self.settings = LearnerSettings() if settings is None else settings

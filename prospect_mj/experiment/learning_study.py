@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from prospect_mj.agent import LinearQ
 from prospect_mj.agent.features import FeatureSettings, StateFeatureGenerator
 from prospect_mj.agent.settings import LearnerSettings
 from prospect_mj.checks import check_choice
@@ -139,7 +140,7 @@ def _learn(
     rng: np.random.Generator,
 ) -> tuple[NDArray[np.int8], NDArray[np.float64]]:
     """Actions (n_trials,) of a new learner, and its weights (6, 303) at the end."""
-    weights = np.zeros((settings.learner.n_actions, settings.learner.n_features))
+    weights = LinearQ(settings.learner, rng=rng).weights
     histograms = np.stack([rng.choice(bank[side]) for side in sides])
     trials = _trials(histograms, sides, settings, rng)
     one_hot = settings.features.reading == "one_hot"
