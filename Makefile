@@ -34,8 +34,10 @@ reproduce: $(RUNTIME) ## the paper's experiment: RUNS=1000, TRIALS=1000, OUT=<fo
 	@$(BIN)/python scripts/reproduce.py --runs="$$RUNS" --trials="$$TRIALS" \
 	$${OUT:+--out="$$OUT"} $(ARGS)
 
-live: $(RUNTIME) $(GL) ## 20 runs on live physics, to compare with; some hours
-	@$(BIN)/python scripts/live_runs.py --trials="$$TRIALS" $${OUT:+--out="$$OUT"} $(ARGS)
+live: RUNS = 20
+live: $(RUNTIME) $(GL) ## live runs to compare with, some hours: RUNS=20, OUT=<folder>
+	@$(BIN)/python scripts/live_runs.py --runs="$$RUNS" --trials="$$TRIALS" \
+	$${OUT:+--out="$$OUT"} $(ARGS)
 
 test: lint $(GL) ## lint, then every fast test
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal $(ARGS)

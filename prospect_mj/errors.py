@@ -79,6 +79,10 @@ class SimulationDiverged(ProspectError):
     """MuJoCo raised a warning (bad acceleration, full buffers): the physics is void."""
 
 
+class UnfinishedRecording(ProspectError):
+    """Some trees could not be grown to their end; all others are there."""
+
+
 class UnforeseenEvent(ProspectError):
     """The robot observed what its discrete-event model says can't happen."""
 

@@ -24,9 +24,19 @@ class LockedFolder(Closing):
         """Lock it.
 
         Raises:
-            FolderInUse: if another process has locked it.
+            FolderInUse: if another process has locked it, or this one has.
+            OSError: if it can't be locked at all.
         """
         self.path, self._descriptor = path, _locked(path)
+
+    def check_open(self) -> None:
+        """Refuse to go on when the folder is no longer this one's.
+
+        Raises:
+            FolderInUse: if it was closed.
+        """
+        if self._descriptor < 0:
+            raise FolderInUse(f"{self.path} was closed, and may be in use elsewhere")
 
     @contextmanager
     def closed_if_it_fails(self) -> Iterator[None]:
@@ -51,12 +61,20 @@ def _locked(path: Path) -> int:
         The descriptor; closing it unlocks the folder.
 
     Raises:
-        FolderInUse: if another process has locked it.
+        FolderInUse: if it is locked.
+        OSError: if it can't be locked at all.
     """
     descriptor = os.open(path, os.O_RDONLY)
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError as error:
         os.close(descriptor)
-        raise FolderInUse(f"{path} is in use by another process") from error
+        raise _refusal(path, error) from error
     return descriptor
+
+
+def _refusal(path: Path, error: OSError) -> FolderInUse | OSError:
+    if isinstance(error, BlockingIOError):
+        words = "in use by another process, or by something not closed in this one"
+        return FolderInUse(f"{path} is {words}")
+    return OSError(f"{path} can't be locked: {error.strerror}")

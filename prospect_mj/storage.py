@@ -39,6 +39,21 @@ def replace_file(path: Path, content: bytes) -> None:
         raise
 
 
+def make_folder(path: Path, refused: type[ProspectError]) -> None:
+    """Make a folder, and those above it, unless it is there.
+
+    Args:
+        path: the folder.
+        refused: the error that is raised if there is a file, or it can't be made.
+    """
+    try:
+        if path.exists() and not path.is_dir():
+            raise refused(f"{path} is not a folder")
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise refused(f"{path} can't be made: {error.strerror}") from error
+
+
 def read_yaml(path: Path, damaged: type[ProspectError]) -> dict[str, Any]:
     """The mapping that a YAML file holds; empty if it holds something else.
 
@@ -48,6 +63,9 @@ def read_yaml(path: Path, damaged: type[ProspectError]) -> dict[str, Any]:
     """
     try:
         content = yaml.safe_load(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+    except OSError as error:
+        raise damaged(f"{path} can't be read: {error.strerror}") from error
+    except (ValueError, RecursionError, yaml.YAMLError) as error:
+        # A day that no month has is a ValueError, and deep nesting is the other.
         raise damaged(f"{path} can't be read: it is damaged") from error
     return content if isinstance(content, dict) else {}

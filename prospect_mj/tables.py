@@ -1,7 +1,9 @@
 """Parquet files that say what they belong to."""
 
 import io
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 
 import pyarrow as pa
 import pyarrow.parquet as pq
@@ -16,15 +18,33 @@ def appended(table: pa.Table, rows: pa.Table) -> pa.Table:
     return pa.concat_tables([table, rows]).combine_chunks()
 
 
-def parquet(table: pa.Table, origin: str, compression: str = "snappy") -> bytes:
-    """Encode `table`, marked with what it belongs to; equal tables give equal bytes."""
+def parquet(
+    table: pa.Table,
+    origin: str,
+    compression: str = "snappy",
+    notes: Mapping[str, str] = MappingProxyType({}),
+) -> bytes:
+    """Encode `table`, marked with what it belongs to; equal tables give equal bytes.
+
+    Args:
+        table: what to encode.
+        origin: digest of what it belongs to.
+        compression: Parquet's name of it.
+        notes: what else is to be found in the metadata of its schema.
+    """
     stream = io.BytesIO()
-    marked = table.replace_schema_metadata({_ORIGIN: origin.encode()})
+    marked = table.replace_schema_metadata({**notes, _ORIGIN: origin.encode()})
     pq.write_table(marked, stream, compression=compression, write_page_checksum=True)
     return stream.getvalue()
 
 
-def read(path: Path, schema: pa.Schema, origin: str, of: str) -> pa.Table:
+def read(
+    path: Path,
+    schema: pa.Schema,
+    origin: str,
+    of: str,
+    columns: Sequence[str] | None = None,
+) -> pa.Table:
     """Read the table at `path`, which must have exactly the columns of `schema`.
 
     Args:
@@ -32,14 +52,16 @@ def read(path: Path, schema: pa.Schema, origin: str, of: str) -> pa.Table:
         schema: its columns.
         origin: what it must be marked with.
         of: what that is, in a word.
+        columns: those that are wanted; None for all.
 
     Raises:
         ForeignTable: if it has other columns or another mark.
     """
     # As a file of its own: in a folder called a=b pyarrow would see a column.
-    table = pq.ParquetFile(path, page_checksum_verification=True).read()
-    if table.schema != schema:
-        raise ForeignTable(f"{path} has other columns than this version writes")
-    if (table.schema.metadata or {}).get(_ORIGIN) != origin.encode():
-        raise ForeignTable(f"{path} is from another {of}")
-    return table
+    with pq.ParquetFile(path, page_checksum_verification=True) as file:
+        found = file.schema_arrow
+        if found != schema:
+            raise ForeignTable(f"{path} has other columns than this version writes")
+        if (found.metadata or {}).get(_ORIGIN) != origin.encode():
+            raise ForeignTable(f"{path} is from another {of}")
+        return file.read(columns)

@@ -1,5 +1,6 @@
 """Trees of a jar that every action does what it is named for to, without physics."""
 
+import functools
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ from prospect_mj.actions.belief import Belief, SeenJar
 from prospect_mj.recording import growth
 from prospect_mj.recording.config import RecordingConfig
 from prospect_mj.recording.key import RecordingKey
+from prospect_mj.recording.live_physics import LivePhysics
 from prospect_mj.recording.tree import Edge, Node, OutcomeTree, Shown
 from prospect_mj.robot.names import other
 from prospect_mj.supervisor.predicates import (
@@ -36,16 +38,29 @@ def trial_state(physics: np.ndarray, predicates: PredicateState) -> TrialState:
     return TrialState(physics, Belief(seen=seen), predicates)
 
 
+class IdealTask:
+    def save(self) -> TrialState:
+        return trial_state(np.zeros(8), PRESENTED)
+
+
 class IdealGrower:
     """Like `grower.Grower`; outcomes follow from the restored state."""
 
     n_run = 0
+    n_made = 0
+
+    def __init__(self, config: RecordingConfig | None = None) -> None:
+        IdealGrower.n_made += 1
+        self.task = IdealTask()
+
+    def close(self) -> None:
+        self.task = None
 
     def plant(self, orientation, number) -> OutcomeTree:
         physics = np.sin(np.arange(8.0) + number)
         state = trial_state(physics, PRESENTED)
         root = Node(None, None, True, None, 0.0, PRESENTED, False, 0, state)
-        shown = Shown((0.1, 0.2, 0.3), 0.1, 1.0, "seen", tuple(range(100)))
+        shown = Shown((0.1, 0.2, 0.3), 0.1, 1.0, "found", tuple(range(100)))
         return OutcomeTree(orientation, number, shown, [root])
 
     def extend(self, tree: OutcomeTree, edge: Edge) -> None:
@@ -91,9 +106,16 @@ def grown_tree(depth: int, orientation="left", number=0) -> OutcomeTree:
 
 def grow_ideally(monkeypatch: pytest.MonkeyPatch) -> type[IdealGrower]:
     """Let trees grow without physics, in this process; counts the actions run."""
-    monkeypatch.setattr(growth, "_grower", lambda key: IdealGrower())
+    grow_with(monkeypatch, IdealGrower)
     monkeypatch.setattr(IdealGrower, "n_run", 0)
+    monkeypatch.setattr(IdealGrower, "n_made", 0)
     return IdealGrower
+
+
+def grow_with(monkeypatch: pytest.MonkeyPatch, make: type[IdealGrower]) -> None:
+    """Let trees grow on something else than physics, in this process."""
+    physics = functools.cache(lambda key: LivePhysics(key.config, make))
+    monkeypatch.setattr(growth, "_physics", physics)
 
 
 def content(folder: Path) -> dict[str, bytes | None]:

@@ -19,7 +19,10 @@ CONFINED = {
     "matplotlib": (
         "prospect_mj/experiment/automaton_plot.py",
         "prospect_mj/experiment/field_plot.py",
+        "prospect_mj/experiment/paper/direct_labels.py",
+        "prospect_mj/experiment/paper/figure_frame.py",
         "prospect_mj/experiment/paper/figures.py",
+        "prospect_mj/experiment/paper/strategy_figure.py",
         "prospect_mj/experiment/plots.py",
         "prospect_mj/experiment/vision_plots.py",
     ),

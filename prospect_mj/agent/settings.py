@@ -19,8 +19,8 @@ class LearnerSettings:
     """gamma [1], per action."""
     initial_sd: float = 0.02
     """Standard deviation of the normal distribution, of mean zero, that initial weights
-    are drawn from [actions]. The paper says "arbitrary initial values"; 0.02 fits its
-    figures best (docs/reproduction.md)."""
+    are drawn from [actions]. The paper says "arbitrary initial values"; 0.02 is one of
+    several that fit its figures equally well (docs/reproduction.md)."""
     n_actions: int = 6
     """Number of actions."""
     n_features: int = 303

@@ -13,13 +13,18 @@ from typing import TypeVar
 
 import tyro
 
-from prospect_mj.errors import ProspectError, SimulationDiverged, UnforeseenEvent
+from prospect_mj.errors import (
+    ProspectError,
+    SimulationDiverged,
+    UnfinishedRecording,
+    UnforeseenEvent,
+)
 
 FAILED = 1
 BAD_INPUT = 2
 INTERRUPTED = 130
 
-_NO_INPUTS_FAULT = (SimulationDiverged, UnforeseenEvent)
+_NO_INPUTS_FAULT = (SimulationDiverged, UnfinishedRecording, UnforeseenEvent)
 
 _Options = TypeVar("_Options")
 _ESCAPE = re.compile(r"\x1b\[[0-9;]*m")

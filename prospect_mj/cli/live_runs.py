@@ -1,5 +1,6 @@
 """The command line that makes runs on live physics, to compare recorded ones with."""
 
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -49,8 +50,12 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _make(options: LiveOptions) -> None:
     gl.require_gl()
-    total = options.wanted.runs
+    total, ended = options.wanted.runs, []
     with tqdm(total=total, unit="run", dynamic_ncols=True, disable=None) as bar:
-        for _ in live_runs.advance(options.wanted, options.out, options.jobs):
+        for run in live_runs.advance(options.wanted, options.out, options.jobs):
+            ended.append(run)
             bar.update()
+            for words in run.warned:
+                warnings.warn(f"{run.path.name}: {words}", stacklevel=2)
+    live_runs.check_all_finished(ended)
     print(f"{options.out}: {total} runs are finished")

@@ -1,6 +1,8 @@
 """The command line that grows a recording."""
 
+import warnings
 from collections.abc import Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -8,9 +10,11 @@ from typing import TYPE_CHECKING, Annotated
 import tyro
 
 from prospect_mj.cli import command_line
+from prospect_mj.errors import UnfinishedRecording
 from prospect_mj.recording import files
 from prospect_mj.recording.config import Extent, RecordingConfig
 from prospect_mj.recording.key import RecordingKey
+from prospect_mj.recording.packing import Packing, check_free
 from prospect_mj.recording.workers import Workers
 from prospect_mj.sim import gl
 
@@ -50,20 +54,39 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _record(options: RecordOptions) -> None:
-    if options.pack is not None:
-        files.check_free_to_pack(options.pack, options.out)
-    gl.require_gl()
+    _check(options)
     # Only here: MuJoCo chooses its OpenGL library at import.
     from prospect_mj.recording.growing import GrowingRecording
 
     key = RecordingKey.present(options.config, gl.renderer_name())
-    with GrowingRecording.open(options.out, key) as recording:
-        _grow(recording, options)
+    with ExitStack() as stack:
+        packing = None
         if options.pack is not None:
-            _pack(recording, options.extent, options.pack)
+            packing = stack.enter_context(Packing.open(options.pack, options.out))
+        recording = stack.enter_context(GrowingRecording.open(options.out, key))
+        n_failed = _grow(recording, options)
+        if packing is not None:
+            _pack(recording, options, packing)
+    if n_failed:
+        raise UnfinishedRecording(
+            f"{n_failed} of the trees could not be grown to an end"
+        )
 
 
-def _grow(recording: "GrowingRecording", options: RecordOptions) -> None:
+def _check(options: RecordOptions) -> None:
+    """Refuse what can't be done, before a folder is begun."""
+    files.check_folder(options.out)
+    if options.pack is not None:
+        check_free(options.pack, options.out)
+    gl.require_gl()
+    from prospect_mj.recording.grower import task_settings
+
+    task_settings(options.config)
+    options.workers.check()
+
+
+def _grow(recording: "GrowingRecording", options: RecordOptions) -> int:
+    """Grow to the wanted size; how many trees could not be."""
     from prospect_mj.cli.record_progress import RecordProgress
     from prospect_mj.recording.growth import Growth
 
@@ -73,13 +96,17 @@ def _grow(recording: "GrowingRecording", options: RecordOptions) -> None:
         for _ in growth.run(options.workers):
             progress.advance()
     print(f"{options.out}: {growth.n_actions - n_before} actions recorded")
+    for words in growth.failures:
+        warnings.warn(words, stacklevel=2)
+    return len(growth.failures)
 
 
-def _pack(recording: "GrowingRecording", extent: Extent, path: Path) -> None:
-    from prospect_mj.recording.packing import pack
-
-    n_packed = pack(recording.complete_trees(extent), recording.key, path)
-    print(f"{path}: {n_packed} trees packed")
+def _pack(
+    recording: "GrowingRecording", options: RecordOptions, packing: Packing
+) -> None:
+    extent = options.extent
+    n_packed = packing.write(recording.complete(extent), recording.key)
+    print(f"{options.pack}: {n_packed} trees packed")
     n_left = recording.n_trees - n_packed
     if n_left:
         print(

@@ -12,7 +12,7 @@ from prospect_mj.agent.features import N_BINS, Holding, StateFeatureGenerator
 from prospect_mj.envs.reset_options import ResetOptions
 from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.envs.tasks import Task, make_task
-from prospect_mj.errors import InvalidChoice, RecordingError
+from prospect_mj.errors import InvalidChoice, InvalidValue, RecordingError
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
 if TYPE_CHECKING:
@@ -107,7 +107,8 @@ status of the look: "found", "unsure" or "not_found" |
             changes: single settings by name.
 
         Raises:
-            InvalidChoice: on a setting that does not exist.
+            InvalidChoice: on a setting or a choice that does not exist.
+            InvalidValue: on a setting that is out of its range or of another kind.
             RenderingUnavailable: if something is to be simulated without OpenGL.
             RecordingError: if the recording can't be had, or is of other physics.
         """
@@ -115,6 +116,8 @@ status of the look: "found", "unsure" or "not_found" |
             raise InvalidChoice("render_mode", render_mode, [None])
         self.render_mode = None
         given = PickPlaceSettings() if settings is None else settings
+        if not isinstance(given, PickPlaceSettings):
+            raise InvalidValue("settings", given, "a PickPlaceSettings")
         self.settings = given.changed(**changes)
         self.task: Task = make_task(self.settings)
         self._generator = StateFeatureGenerator(self.settings.features)

@@ -1,17 +1,25 @@
 """What the environment can be told."""
 
+import operator
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any, Literal, Self, get_args
 
+import numpy as np
+
 from prospect_mj.agent.features import FeatureSettings
-from prospect_mj.checks import check_choice
+from prospect_mj.checks import check_choice, check_integer
 from prospect_mj.errors import InvalidValue
 from prospect_mj.recording.config import GrossMotion, ObjectPose, RecordingConfig
 from prospect_mj.supervisor.supervisor import Mode, Supervisor
 from prospect_mj.task.presentation import PresentationSettings
 
 Physics = Literal["live", "recorded"]
+
+_MOST_ACTIONS = 1000
+_MOST_RECORDED = int(np.iinfo(np.int8).max)
+"""As deep as a recording's table can tell of."""
+_KINDS = {"features": FeatureSettings, "presentation": PresentationSettings}
 
 
 @dataclass(frozen=True)
@@ -25,7 +33,8 @@ class PickPlaceSettings:
     """Folder of the recording; None is the one that comes with the package."""
     grow: bool = False
     """Whether outcomes that the recording lacks are simulated, and added to it; trials
-    then draw from 50 presentations of each orientation, recorded or not."""
+    then draw from 50 presentations of each orientation, recorded or not, or from all
+    that are there if they are more."""
     supervisor: Mode = "none"
     """Choice set: `none` = all six actions, `safe`, `productive`."""
     shaping: tuple[str, ...] = ()
@@ -37,21 +46,32 @@ class PickPlaceSettings:
     grid_cells: int = 16
     """Of the coarsest grid of the harmonic ones, for each of its four joints."""
     max_actions: int = 10
-    """After which a trial is truncated."""
+    """After which a trial is truncated; on recorded physics presentations are not shown
+    whose outcomes are recorded for fewer."""
     features: FeatureSettings = field(default_factory=FeatureSettings)
     """Reading and scale of the 303 features."""
     presentation: PresentationSettings = field(default_factory=PresentationSettings)
     """Spread of the jar's place and of the lamp's brightness, in live physics."""
 
     def __post_init__(self) -> None:
-        """Refuse a trial without actions, a mode or a schedule that can't be."""
+        """Refuse what no trial can be made of, each setting for itself and together."""
         check_choice("physics", self.physics, get_args(Physics))
-        if not 1 <= self.max_actions <= 1000:
-            raise InvalidValue("max_actions", self.max_actions, "1 to 1000")
+        check_choice("grow", self.grow, (False, True))
+        for name in ("max_actions", "grid_cells"):
+            object.__setattr__(self, name, _as_integer(name, getattr(self, name)))
+        most = _MOST_RECORDED if self.physics == "recorded" else _MOST_ACTIONS
+        check_integer("max_actions", self.max_actions, 1, most)
+        for name, kind in _KINDS.items():
+            if not isinstance(getattr(self, name), kind):
+                raise InvalidValue(name, getattr(self, name), f"a {kind.__name__}")
         Supervisor(self.supervisor, self.shaping)
+        # A choice or a number that makes no recording makes no live physics either.
+        _ = self.recorded_as
         self._check_recording()
 
     def _check_recording(self) -> None:
+        if self.recording is not None:
+            object.__setattr__(self, "recording", _as_path(self.recording))
         if self.physics == "live" and self.recording is not None:
             raise InvalidValue("recording", str(self.recording), "none in live physics")
         if self.physics == "live" and self.grow:
@@ -81,3 +101,17 @@ class PickPlaceSettings:
             gross_motion=self.gross_motion,
             grid_cells=self.grid_cells,
         )
+
+
+def _as_integer(name: str, value: object) -> int:
+    """An integer of Python's, also of one of numpy's; true and false are none."""
+    try:
+        return value if isinstance(value, bool) else operator.index(value)
+    except TypeError as error:
+        raise InvalidValue(name, value, "an integer") from error
+
+
+def _as_path(folder: object) -> Path:
+    if not isinstance(folder, str | Path) or not str(folder):
+        raise InvalidValue("recording", folder, "the path of a folder")
+    return Path(folder)

@@ -1,6 +1,6 @@
 """The task behind the environment: on live physics, or on what was recorded of it."""
 
-from dataclasses import asdict, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Protocol
 
@@ -85,7 +85,7 @@ def make_task(settings: PickPlaceSettings) -> Task:
 
 
 def _recorded(settings: PickPlaceSettings) -> Task:
-    path = Path(settings.recording or paths.RECORDING)
+    path = paths.RECORDING if settings.recording is None else settings.recording
     recording = Recording.load(path)
     _check_same(path, recording.key.config, settings)
     recording.warn_if_foreign()
@@ -109,8 +109,9 @@ def _live(settings: PickPlaceSettings) -> Task:
 
 
 def _growing(settings: PickPlaceSettings) -> Task:
-    path = Path(settings.recording)
+    path = settings.recording
     gl.require_gl()
+    from prospect_mj.recording.grower import task_settings
     from prospect_mj.recording.growing import GrowingRecording
     from prospect_mj.recording.lazy_task import LazyTask
 
@@ -120,6 +121,8 @@ def _growing(settings: PickPlaceSettings) -> Task:
         stored = RecordingKey.read(path).config
         _check_same(path, stored, settings)
         config = stored
+    # What can't be simulated must not be written down as a recording's settings.
+    task_settings(config)
     key = RecordingKey.present(config, gl.renderer_name())
     return LazyTask(GrowingRecording.open(path, key), _supervisor(settings))
 
@@ -132,10 +135,6 @@ def _check_same(
     path: Path, stored: RecordingConfig, settings: PickPlaceSettings
 ) -> None:
     """Refuse a recording that was made in another way; which seed does not matter."""
-    had, wanted = asdict(stored), asdict(settings.recorded_as)
-    for name in had.keys() - {"seed"}:
-        if had[name] != wanted[name]:
-            words = name.replace("_", " ")
-            raise RecordingError(
-                f"{path} was recorded with {words} {had[name]}, not {wanted[name]}"
-            )
+    changed = stored.differences(replace(settings.recorded_as, seed=stored.seed))
+    if changed:
+        raise RecordingError(f"{path} was recorded with {'; '.join(changed)}")

@@ -1,8 +1,10 @@
 """config.yaml: what a run is, and which software and model files made it."""
 
 import json
-from dataclasses import asdict
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any
 
 import yaml
 
@@ -18,6 +20,18 @@ _FORMAT = 1
 
 PACKAGES = ("prospect-mj", *provenance.PACKAGES, "gymnasium")
 """A run is bit-identical only within one version of each of these."""
+
+
+@dataclass(frozen=True)
+class StoredConfig:
+    """What a configuration says, as it was written."""
+
+    settings: Mapping[str, Any]
+    """Of a `TrainConfig`, as plain numbers, words, lists and mappings."""
+    sha256: Mapping[str, str]
+    """`fingerprint.digests` of then."""
+    versions: Mapping[str, str]
+    """Of each package, by name."""
 
 
 def write(path: Path, config: TrainConfig) -> None:
@@ -40,21 +54,38 @@ def read(path: Path) -> TrainConfig:
         RunFolderError: if the file is unreadable, foreign, edited, or of other
             versions or model files.
     """
+    stored = read_stored(path)
+    try:
+        config = TrainConfig.from_dict(stored.settings)
+    except (ProspectError, KeyError, TypeError, ValueError) as error:
+        raise RunFolderError(f"{path} is damaged: {error}") from error
+    _check_versions(path, stored.versions)
+    _check_digests(path, stored.sha256, config)
+    return config
+
+
+def read_stored(path: Path) -> StoredConfig:
+    """Read what a run was, whether this software can continue it or not.
+
+    Raises:
+        RunFolderError: if the file is unreadable, foreign or edited.
+    """
     content = read_yaml(path, RunFolderError)
     if content.get("prospect_mj_run") != _FORMAT:
         raise RunFolderError(f"{path} is not the configuration of a run")
     try:
-        config = TrainConfig.from_dict(content["config"])
-        stored = dict(content["versions"])
-        sha256 = dict(content["sha256"])
-    except (ProspectError, KeyError, TypeError, ValueError) as error:
-        raise RunFolderError(f"{path} is damaged: {error}") from error
-    _check_versions(path, stored)
-    _check_digests(path, sha256, config)
-    return config
+        plain = [dict(content[name]) for name in ("config", "sha256", "versions")]
+        configuration = fingerprint.of_settings(plain[0])
+    except (KeyError, TypeError, ValueError) as error:
+        lacking = "settings, digests or versions are lacking"
+        raise RunFolderError(f"{path} is damaged: {lacking}") from error
+    stored = StoredConfig(*plain)
+    if stored.sha256.get(fingerprint.CONFIGURATION) != configuration:
+        raise RunFolderError(f"{path}: its settings were edited")
+    return stored
 
 
-def _check_versions(path: Path, stored: dict[str, str]) -> None:
+def _check_versions(path: Path, stored: Mapping[str, str]) -> None:
     for package, installed in provenance.installed_versions(PACKAGES).items():
         if stored.get(package) != installed:
             raise RunFolderError(
@@ -63,12 +94,10 @@ def _check_versions(path: Path, stored: dict[str, str]) -> None:
             )
 
 
-def _check_digests(path: Path, stored: dict[str, str], config: TrainConfig) -> None:
+def _check_digests(path: Path, stored: Mapping[str, str], config: TrainConfig) -> None:
     for name, present in fingerprint.digests(config).items():
         if stored.get(name) != present:
-            changed = (
-                "its settings were edited"
-                if name == fingerprint.CONFIGURATION
-                else f"{name} has changed since the run began"
+            raise RunFolderError(
+                f"{path}: {name} has changed since the run began; "
+                "the run can't be continued"
             )
-            raise RunFolderError(f"{path}: {changed}; the run can't be continued")

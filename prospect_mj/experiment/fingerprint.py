@@ -1,8 +1,10 @@
 """Digests by which a run is known again: of its configuration, models and recording."""
 
 import json
+from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
+from typing import Any
 
 from prospect_mj import paths
 from prospect_mj.experiment.config import TrainConfig
@@ -27,18 +29,26 @@ def digests(config: TrainConfig) -> dict[str, str]:
         MissingFile: if a model file is missing.
         RecordingError: if there is no recording where there should be one.
     """
-    settings = asdict(config)
-    del settings["trials"]
-    plain = json.dumps(settings, sort_keys=True).encode()
-    found = {CONFIGURATION: sha256(plain)} | model_digests()
+    found = {CONFIGURATION: of_settings(asdict(config))} | model_digests()
     if config.physics == "recorded":
         return found | {"recording": _recording_digest(config)}
     return found | {"sources": source_digest()}
 
 
+def of_settings(settings: Mapping[str, Any]) -> str:
+    """SHA-256 of a run's settings as plain numbers, words and mappings of them."""
+    lasting = {name: value for name, value in settings.items() if name != "trials"}
+    return sha256(json.dumps(lasting, sort_keys=True).encode())
+
+
 def origin(config: TrainConfig) -> str:
     """One digest of all of `digests`, which ties the other files to the run."""
-    return sha256(json.dumps(digests(config), sort_keys=True).encode())
+    return origin_of(digests(config))
+
+
+def origin_of(found: Mapping[str, str]) -> str:
+    """The same of digests that are there already."""
+    return sha256(json.dumps(dict(found), sort_keys=True).encode())
 
 
 def _recording_digest(config: TrainConfig) -> str:

@@ -23,7 +23,7 @@ from prospect_mj.experiment.learning_curve import (
     BLOCK,
     OPTIMUM,
     block_means,
-    near_optimal_trial,
+    smoothed_near_optimal_trial,
 )
 from prospect_mj.experiment.paper.compiled_learner import run_frozen, run_trials
 from prospect_mj.experiment.paper.kernel import Trials
@@ -69,7 +69,7 @@ class StudySettings:
 
 @dataclass(frozen=True)
 class LearningStudy:
-    """What the study found; trials are as `near_optimal_trial` counts them."""
+    """What the study found; trials as `smoothed_near_optimal_trial` counts."""
 
     baseline_curve: NDArray[np.float64]
     """(trials // 10,) [actions] over sets of ten trials, without a dominant hand."""
@@ -107,8 +107,8 @@ def learning_study(
     return LearningStudy(
         baseline_curve=baseline,
         dominant_curve=dominant,
-        near_optimal=near_optimal_trial(baseline),
-        pretraining_near_optimal=near_optimal_trial(dominant[:switch]),
+        near_optimal=smoothed_near_optimal_trial(baseline),
+        pretraining_near_optimal=smoothed_near_optimal_trial(dominant[:switch]),
         peak_after_switch=float(dominant[switch : switch + 3].max()),
         held_out_actions=float(held_out.mean()),
         held_out_optimal=float(np.mean(held_out == OPTIMUM)),

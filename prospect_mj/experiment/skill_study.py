@@ -9,12 +9,13 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
+from operator import itemgetter
 from typing import TypeVar
 
 import numpy as np
-from joblib import Parallel, delayed
 
 from prospect_mj.actions.action import Action, ActionResult
+from prospect_mj.recording.workers import Backend, Workers
 from prospect_mj.robot import names
 from prospect_mj.robot.names import Side
 from prospect_mj.sim.audit import Audit, Findings
@@ -186,23 +187,34 @@ def _random_actions(
 
 
 def skills_in_parallel(
-    settings: TaskSettings, n: int, jobs: int = 2, first_seed: int = 0
+    settings: TaskSettings,
+    n: int,
+    jobs: int = 2,
+    first_seed: int = 0,
+    backend: Backend = "local",
 ) -> list[SkillRun]:
     """`run_skills` over `n` seeds on several processes."""
     seeds = range(first_seed, first_seed + n)
-    return in_parallel(partial(run_skills, settings), seeds, jobs)
+    return in_parallel(partial(run_skills, settings), seeds, jobs, backend)
 
 
 def random_policy_in_parallel(
-    settings: TaskSettings, n: int, jobs: int = 2, first_seed: int = 0
+    settings: TaskSettings,
+    n: int,
+    jobs: int = 2,
+    first_seed: int = 0,
+    backend: Backend = "local",
 ) -> list[PolicyEpisode]:
     """`run_random_policy` over `n` seeds on several processes."""
     seeds = range(first_seed, first_seed + n)
-    return in_parallel(partial(run_random_policy, settings), seeds, jobs)
+    return in_parallel(partial(run_random_policy, settings), seeds, jobs, backend)
 
 
 def in_parallel(
-    study: Callable[[Sequence[int]], list[_Found]], seeds: Sequence[int], jobs: int
+    study: Callable[[Sequence[int]], list[_Found]],
+    seeds: Sequence[int],
+    jobs: int,
+    backend: Backend = "local",
 ) -> list[_Found]:
     """What a study finds at each of the seeds, in their order.
 
@@ -211,8 +223,17 @@ def in_parallel(
             each share compiles the scene once.
         seeds: of all shares.
         jobs: processes.
+        backend: where they are.
     """
     n_shares = min(jobs * 8, len(seeds))
     shares = np.array_split(np.array(seeds), n_shares)
-    parts = Parallel(n_jobs=jobs)(delayed(study)(share.tolist()) for share in shares)
-    return [found for part in parts for found in part]
+    numbered = [(number, share.tolist()) for number, share in enumerate(shares)]
+    parts = Workers(jobs, backend).map(partial(_numbered, study), numbered)
+    return [found for _, part in sorted(parts, key=itemgetter(0)) for found in part]
+
+
+def _numbered(
+    study: Callable[[Sequence[int]], list[_Found]], share: tuple[int, Sequence[int]]
+) -> tuple[int, list[_Found]]:
+    number, seeds = share
+    return number, study(seeds)

@@ -7,16 +7,16 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from prospect_mj.actions.action import Action
-from prospect_mj.errors import RecordingError
-from prospect_mj.supervisor.predicates import ArmState, Jar, Place, PredicateState
+from prospect_mj.recording.hands import LEFT as LEFT
+from prospect_mj.recording.hands import NONE as NONE
+from prospect_mj.recording.hands import NUMBERS, number_of
+from prospect_mj.recording.hands import RIGHT as RIGHT
+from prospect_mj.recording.node_predicates import COLUMNS, predicates_of
+from prospect_mj.supervisor.predicates import PredicateState
 from prospect_mj.supervisor.supervisor import Supervisor
 
 UNKNOWN = -1
 """In place of a node that was not recorded."""
-NONE, LEFT, RIGHT = 0, 1, 2
-"""Hands by number; the same numbers stand for the lid's side."""
-_SIDES = {"left": LEFT, "right": RIGHT}
-_STATE_COLUMNS = ("left_holds", "left_place", "right_holds", "right_place", "jar")
 
 
 @dataclass(frozen=True)
@@ -74,15 +74,13 @@ class PredicateStates:
 
 def predicate_states(table: pa.Table) -> tuple[PredicateStates, NDArray[np.int64]]:
     """The states that occur in a table of nodes, and the number of each node's."""
-    columns = [
-        table[name].combine_chunks().dictionary_encode() for name in _STATE_COLUMNS
-    ]
-    codes = np.stack([column.indices.to_numpy() for column in columns])
-    kinds, number = np.unique(codes, axis=1, return_inverse=True)
+    columns = [table[name].combine_chunks().dictionary_encode() for name in COLUMNS]
     words = [column.dictionary.to_pylist() for column in columns]
+    codes, sizes = [column.indices.to_numpy() for column in columns], [*map(len, words)]
+    kinds, number = np.unique(np.ravel_multi_index(codes, sizes), return_inverse=True)
     states = tuple(
-        _state(*(word[code] for word, code in zip(words, kind, strict=True)))
-        for kind in kinds.T
+        predicates_of(*(word[code] for word, code in zip(words, kind, strict=True)))
+        for kind in np.transpose(np.unravel_index(kinds, sizes))
     )
     supervisor = Supervisor()
     may_run = [
@@ -91,25 +89,14 @@ def predicate_states(table: pa.Table) -> tuple[PredicateStates, NDArray[np.int64
     return PredicateStates(states, np.array(may_run)), number.ravel()
 
 
-def _state(
-    left_holds: bool, left_place: str, right_holds: bool, right_place: str, jar: str
-) -> PredicateState:
-    left = ArmState(left_holds, Place(left_place))
-    right = ArmState(right_holds, Place(right_place))
-    return PredicateState(left, right, Jar(jar))
-
-
 def nodes(table: pa.Table, states: PredicateStates, number: NDArray[np.int64]) -> Nodes:
     """The nodes of a table.
 
     Args:
-        table: under `schema.SCHEMA`, trees one after the other.
+        table: under `schema.SCHEMA`, trees one after the other; `soundness.check` has
+            passed it.
         states: those that occur.
         number: (n,), the state of each node.
-
-    Raises:
-        RecordingError: if a node's parent does not come right before it, or a depth
-            does not fit.
     """
     parent = _global_parents(table)
     executed = _column(table, "executed")
@@ -120,10 +107,7 @@ def nodes(table: pa.Table, states: PredicateStates, number: NDArray[np.int64]) -
     led = parent >= 0
     action = table["action"].fill_null(0).to_numpy()
     child[parent[led], action[led]] = own[led]
-    depth = _column(table, "depth")
-    if (depth[led] != depth[parent[led]] + executed[led]).any():
-        raise RecordingError("the recording is damaged: a depth does not fit")
-    holds = np.array([_holding(state) for state in states.states])
+    holds = np.array([number_of(next(iter(s.holders), None)) for s in states.states])
     return Nodes(
         child=child.astype(np.int32),
         situation=np.where(executed, own, parent).astype(np.int32),
@@ -132,23 +116,16 @@ def nodes(table: pa.Table, states: PredicateStates, number: NDArray[np.int64]) -
         sim_seconds=_column(table, "sim_seconds"),
         inserted=inserted,
         holding=holds[number].astype(np.int8),
-        depth=depth,
+        depth=_column(table, "depth"),
         predicates=number,
     )
 
 
 def _global_parents(table: pa.Table) -> NDArray[np.int64]:
-    """The row of every node's parent; -1 at a root."""
-    own, node = np.arange(table.num_rows), _column(table, "node")
-    first = np.maximum.accumulate(np.where(node == 0, own, 0))
+    """The row of every node's parent; UNKNOWN at a root."""
+    root = np.arange(table.num_rows) - _column(table, "node")
     parent = table["parent"].fill_null(UNKNOWN).to_numpy()
-    if (node != own - first).any() or (parent >= node).any():
-        raise RecordingError("the recording is damaged: a tree is not whole")
-    return np.where(parent < 0, UNKNOWN, first + parent)
-
-
-def _holding(state: PredicateState) -> int:
-    return _SIDES[state.holders[0]] if state.holders else NONE
+    return np.where(parent == UNKNOWN, UNKNOWN, root + parent)
 
 
 def presentations(table: pa.Table, nodes: Nodes) -> Presentations:
@@ -159,12 +136,18 @@ def presentations(table: pa.Table, nodes: Nodes) -> Presentations:
     lids = _column(table, "orientation")[root]
     return Presentations(
         root=root.astype(np.int32),
-        lid=np.array([_SIDES[lid] for lid in lids], np.int8),
+        lid=np.array([NUMBERS[lid] for lid in lids], np.int8),
         number=_column(table, "presentation")[root],
         histogram=np.array(shown.field("histogram").to_pylist(), np.int64),
         look=np.array(shown.field("look").to_pylist()),
         depth=_complete_depths(nodes, np.cumsum(is_root) - 1),
     )
+
+
+def complete_depth(table: pa.Table) -> int:
+    """Executed actions up to which the one tree in a table is complete."""
+    found = nodes(table, *predicate_states(table))
+    return int(_complete_depths(found, np.zeros(table.num_rows, np.int64))[0])
 
 
 def _complete_depths(nodes: Nodes, tree: NDArray[np.int64]) -> NDArray[np.int64]:

@@ -1,7 +1,7 @@
 """What a recording is of."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any, Literal, Self, get_args
 
 from prospect_mj.checks import check_choice, check_integer, check_names
@@ -44,6 +44,25 @@ class RecordingConfig:
         """
         check_names(plain, cls)
         return cls(**plain)
+
+    def differences(self, other: "RecordingConfig") -> list[str]:
+        """What is not the same in both and decides outcomes, in words.
+
+        Args:
+            other: what this one, of a recording, is held against.
+
+        Returns:
+            Such as `gross motion harmonic, not cartesian`.
+        """
+        mine, theirs = asdict(self), asdict(other)
+        if self.gross_motion == other.gross_motion == "cartesian":
+            # Straight movements need no grid.
+            del mine["grid_cells"]
+        return [
+            f"{name.replace('_', ' ')} {had}, not {theirs[name]}"
+            for name, had in mine.items()
+            if had != theirs[name]
+        ]
 
 
 @dataclass(frozen=True)

@@ -6,16 +6,20 @@ left-0000.parquet    one tree each, with the states to grow it on
 trees.parquet        many trees without states, in place of these
 """
 
+import os
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 import pyarrow as pa
+import pyarrow.compute as pc
 from pyarrow.lib import ArrowException
 
 from prospect_mj import tables
 from prospect_mj.errors import ForeignTable, RecordingError
+from prospect_mj.recording import soundness
 from prospect_mj.recording.key import RecordingKey
-from prospect_mj.recording.schema import SCHEMA
+from prospect_mj.recording.schema import OUTCOMES, SCHEMA
 from prospect_mj.task.presentation import ORIENTATIONS
 
 PACKED = "trees.parquet"
@@ -25,6 +29,11 @@ _TREE_FILE = re.compile(rf"({'|'.join(ORIENTATIONS)})-(\d{{4,}})\.parquet")
 def tree_file(orientation: str, number: int) -> str:
     """Name of the file of one tree."""
     return f"{orientation}-{number:04d}.parquet"
+
+
+def number_of(path: Path) -> int:
+    """Number of the presentation whose tree is in a file of `tree_file`'s name."""
+    return int(_TREE_FILE.fullmatch(path.name)[2])
 
 
 def tree_files(folder: Path) -> list[Path]:
@@ -45,31 +54,20 @@ def tree_files(folder: Path) -> list[Path]:
 
 
 def check_folder(path: Path) -> None:
-    """Refuse a path on which a file is in a folder's place.
+    """Refuse a path on which something else is in a folder's place.
 
     Raises:
-        RecordingError: if there is one.
+        RecordingError: if there is, or if no folder can have such a name.
     """
     for part in (path, *path.absolute().parents):
-        if part.exists() and not part.is_dir():
+        try:
+            # Also a link that leads nowhere.
+            taken = os.path.lexists(part) and not part.is_dir()
+            part.exists()
+        except OSError as error:
+            raise RecordingError(f"{part} can't be used: {error.strerror}") from error
+        if taken:
             raise RecordingError(f"{part} is not a folder")
-
-
-def check_free_to_pack(path: Path, growing: Path) -> None:
-    """Refuse a folder that can't be packed into, before anything grows.
-
-    Args:
-        path: folder to pack into.
-        growing: folder of what is to be packed.
-
-    Raises:
-        RecordingError: if something is there, or will be.
-    """
-    check_folder(path)
-    if growing.resolve().is_relative_to(path.resolve()):
-        raise RecordingError(f"{path} can't be packed into: the recording grows in it")
-    if path.exists() and any(path.iterdir()):
-        raise RecordingError(f"{path} is not empty; pack into a new folder")
 
 
 def all_trees(folder: Path, key: RecordingKey) -> pa.Table:
@@ -81,24 +79,40 @@ def all_trees(folder: Path, key: RecordingKey) -> pa.Table:
     found = tree_files(folder)
     if not found:
         raise RecordingError(f"{folder} is a recording without any tree yet")
-    parts = [read(path, key).drop_columns(["state"]) for path in found]
+    parts = [read(path, key, OUTCOMES) for path in found]
     return pa.concat_tables(parts).combine_chunks()
 
 
-def read(path: Path, key: RecordingKey) -> pa.Table:
-    """Read one of a recording's tables.
+def read(
+    path: Path, key: RecordingKey, columns: Sequence[str] | None = None
+) -> pa.Table:
+    """Read one of a recording's tables, and check that it makes sense.
+
+    Args:
+        path: the file.
+        key: of the recording.
+        columns: those that are wanted, at least `schema.OUTCOMES`; None for all.
 
     Raises:
-        RecordingError: if it is damaged or belongs to another recording.
+        RecordingError: if it is damaged, or belongs to another recording or to another
+            presentation.
     """
+    table = _read(path, key, columns)
+    soundness.check(table, path)
+    held = tree_file(table["orientation"][0].as_py(), table["presentation"][0].as_py())
+    if path.name not in (PACKED, held):
+        raise RecordingError(f"{path} is misnamed: it holds what {held} should")
+    if path.name != PACKED and pc.sum(pc.equal(table["node"], 0)).as_py() > 1:
+        raise RecordingError(f"{path} is damaged: it holds more than one tree")
+    return table
+
+
+def _read(path: Path, key: RecordingKey, columns: Sequence[str] | None) -> pa.Table:
     try:
-        table = tables.read(path, SCHEMA, key.digest, of="recording")
+        return tables.read(path, SCHEMA, key.digest, "recording", columns)
     except ForeignTable as error:
         raise RecordingError(str(error)) from error
     except PermissionError as error:
         raise RecordingError(f"{path} can't be read: {error.strerror}") from error
     except (OSError, ValueError, ArrowException) as error:
         raise RecordingError(f"{path} can't be read: it is damaged") from error
-    if not table.num_rows:
-        raise RecordingError(f"{path} is damaged: it holds no tree")
-    return table

@@ -3,20 +3,24 @@
 Every file is replaced as a whole; a damaged one is never replaced.
 """
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Self
+
+import pyarrow as pa
 
 from prospect_mj import tables
 from prospect_mj.errors import RecordingError
 from prospect_mj.locking import LockedFolder
 from prospect_mj.recording import files
 from prospect_mj.recording import key as keys
+from prospect_mj.recording.arrays import complete_depth
 from prospect_mj.recording.config import Extent
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.node_table import tabulated, tree_of
 from prospect_mj.recording.tree import OutcomeTree
-from prospect_mj.storage import replace_file
+from prospect_mj.storage import make_folder, replace_file
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
 
@@ -47,7 +51,7 @@ class GrowingRecording(LockedFolder):
             FolderInUse: if another process works there.
         """
         files.check_folder(path)
-        path.mkdir(parents=True, exist_ok=True)
+        make_folder(path, RecordingError)
         folder = cls(path, key)
         with folder.closed_if_it_fails():
             folder._begin_or_check()
@@ -72,27 +76,34 @@ class GrowingRecording(LockedFolder):
         # The machine that it was begun on is not that of the present key.
         self.key = stored
 
-    def tree(self, orientation: Orientation, number: int) -> OutcomeTree | None:
-        """The tree of a presentation as far as it has grown, or None.
+    def table(self, orientation: Orientation, number: int) -> pa.Table | None:
+        """The nodes of a presentation as far as its tree has grown, or None.
 
         Raises:
             RecordingError: if its file is damaged or belongs to another recording, or
                 to another presentation.
+            FolderInUse: if the folder was closed.
         """
+        self.check_open()
         path = self.path / files.tree_file(orientation, number)
-        if not path.exists():
-            return None
-        try:
-            tree = tree_of(files.read(path, self.key))
-        except (ValueError, TypeError, LookupError) as error:
-            raise RecordingError(f"{path} is damaged: it holds no tree") from error
-        if tree.name != (orientation, number):
-            held = files.tree_file(*tree.name)
-            raise RecordingError(f"{path} is misnamed: it holds what {held} should")
-        return tree
+        return files.read(path, self.key) if os.path.lexists(path) else None
+
+    def tree(self, orientation: Orientation, number: int) -> OutcomeTree | None:
+        """The tree of a presentation as far as it has grown, or None.
+
+        Raises:
+            RecordingError, FolderInUse: as `table`.
+        """
+        table = self.table(orientation, number)
+        return None if table is None else tree_of(table)
 
     def keep(self, tree: OutcomeTree) -> None:
-        """Make a tree, as far as it has grown, permanent."""
+        """Make a tree, as far as it has grown, permanent.
+
+        Raises:
+            FolderInUse: if the folder was closed.
+        """
+        self.check_open()
         content = tables.parquet(tabulated(tree), self.key.digest)
         replace_file(self.path / files.tree_file(*tree.name), content)
 
@@ -101,10 +112,16 @@ class GrowingRecording(LockedFolder):
         """Trees that are there, complete or not."""
         return len(files.tree_files(self.path))
 
-    def complete_trees(self, extent: Extent) -> Iterator[OutcomeTree]:
-        """The trees of an extent that are complete, one after the other."""
+    @property
+    def presentations(self) -> int:
+        """Of each orientation, up to the last one that is there."""
+        numbers = (files.number_of(path) for path in files.tree_files(self.path))
+        return max(numbers, default=-1) + 1
+
+    def complete(self, extent: Extent) -> Iterator[pa.Table]:
+        """The nodes of each tree of an extent that is complete."""
         for orientation in ORIENTATIONS:
             for number in range(extent.presentations):
-                tree = self.tree(orientation, number)
-                if tree is not None and tree.is_complete(extent.depth):
-                    yield tree
+                table = self.table(orientation, number)
+                if table is not None and complete_depth(table) >= extent.depth:
+                    yield table

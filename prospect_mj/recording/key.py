@@ -8,11 +8,11 @@ import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Self
+from typing import Any, Self
 
 import yaml
 
-from prospect_mj.errors import ProspectError, RecordingError
+from prospect_mj.errors import InvalidValue, ProspectError, RecordingError
 from prospect_mj.recording import provenance
 from prospect_mj.recording.config import RecordingConfig
 from prospect_mj.storage import read_yaml
@@ -85,13 +85,12 @@ class RecordingKey:
         if not path.is_file():
             raise RecordingError(f"{folder} is not a recording: it has no {NAME}")
         content = read_yaml(path, RecordingError)
-        if content.get("prospect_mj_recording") != _FORMAT:
-            raise RecordingError(f"{path} is not the key of a recording")
+        _check_format(path, content.get("prospect_mj_recording"))
         try:
             config = RecordingConfig.from_dict(content["config"])
-            plain = (dict(content[name]) for name in ("sha256", "versions", "machine"))
-            return cls(config, *plain)
-        except (ProspectError, KeyError, TypeError, ValueError) as error:
+            names = "sha256", "versions", "machine"
+            return cls(config, *(_words(name, content[name]) for name in names))
+        except (ProspectError, KeyError, TypeError) as error:
             raise RecordingError(f"{path} is damaged: {error}") from error
 
     def differences(self, other: "RecordingKey") -> list[str]:
@@ -100,18 +99,35 @@ class RecordingKey:
         Args:
             other: the key that this one, of a recording, is held against.
         """
-        mine, theirs = asdict(self.config), asdict(other.config)
-        words = [
-            f"its {name.replace('_', ' ')} is {mine[name]}, not {theirs[name]}"
-            for name in mine
-            if mine[name] != theirs[name]
-        ]
-        words += [
-            f"it was made with {name} {was}, not {now}"
+        made_with = self.config.differences(other.config)
+        made_with += [
+            f"{name} {was}, not {now}"
             for name, was, now in _changed(self.versions, other.versions)
         ]
         changed = _changed(self.sha256, other.sha256)
-        return words + [f"{name} changed since" for name, _, _ in changed]
+        return [f"it was made with {words}" for words in made_with] + [
+            f"{name} changed since" for name, _, _ in changed
+        ]
+
+
+def _check_format(path: Path, number: object) -> None:
+    """Refuse what is no key, or one of another version of this package."""
+    if not isinstance(number, int) or isinstance(number, bool):
+        raise RecordingError(f"{path} is not the key of a recording")
+    if number != _FORMAT:
+        raise RecordingError(
+            f"{path} has format {number}; this version reads format {_FORMAT}"
+        )
+
+
+def _words(name: str, found: Any) -> dict[str, str]:  # noqa: ANN401
+    """A mapping from words to words; YAML reads some of them as days or numbers."""
+    if not isinstance(found, dict):
+        raise InvalidValue(name, found, "a mapping")
+    for pair in found.items():
+        if not all(isinstance(part, str) for part in pair):
+            raise InvalidValue(f"an entry of {name}", pair, "words")
+    return found
 
 
 def _changed(

@@ -1,51 +1,45 @@
 """A trial on recorded physics that simulates what was not recorded yet."""
 
-from functools import cached_property
-
 import numpy as np
 
-from prospect_mj.actions.action import Action, ActionOutcome, ActionResult
-from prospect_mj.closing import Closing
-from prospect_mj.errors import RecordingError
+from prospect_mj.actions.action import Action
 from prospect_mj.recording.config import Extent
-from prospect_mj.recording.grower import Grower
 from prospect_mj.recording.growing import GrowingRecording
-from prospect_mj.recording.task import RecordedLook
-from prospect_mj.recording.tree import Edge, OutcomeTree
-from prospect_mj.robot.names import Side
+from prospect_mj.recording.live_physics import LivePhysics
+from prospect_mj.recording.tree import Edge, Node, OutcomeTree
+from prospect_mj.recording.trial import RecordedLook, RecordedStep, RecordedTrial
 from prospect_mj.supervisor.predicates import PredicateState
 from prospect_mj.supervisor.supervisor import Supervisor
 from prospect_mj.task.presentation import Orientation
 
 
-class LazyTask(Closing):
+class LazyTask(RecordedTrial):
     """Steps through trees and grows them where a trial leaves what is known.
 
     Args:
         recording: the folder that grows; closed with the task.
         supervisor: decides what the learner may choose from.
-        presentations: of each orientation, that trials draw from.
+        physics: makes what is missing; closed with the task.
 
     Attributes:
-        supervisor: as given.
+        presentations: of each orientation, that trials draw from: those of a usual
+            recording, or more if there are more in the folder.
     """
 
     def __init__(
         self,
         recording: GrowingRecording,
         supervisor: Supervisor,
-        presentations: int = Extent.presentations,
+        physics: LivePhysics | None = None,
     ) -> None:
         """Start with what the folder holds; physics is made when it is needed."""
-        self.supervisor = supervisor
-        self._recording, self._presentations = recording, presentations
+        super().__init__(supervisor)
+        self._recording = recording
+        config = recording.key.config
+        self._physics = LivePhysics(config) if physics is None else physics
+        self.presentations = max(Extent.presentations, recording.presentations)
         self._trees: dict[tuple[Orientation, int], OutcomeTree] = {}
         self._tree: OutcomeTree | None = None
-        self._node = 0
-
-    @cached_property
-    def _grower(self) -> Grower:
-        return Grower(self._recording.key.config)
 
     def reset(self, orientation: Orientation, rng: np.random.Generator) -> RecordedLook:
         """Present the jar as in one of the presentations.
@@ -53,8 +47,12 @@ class LazyTask(Closing):
         Args:
             orientation: the side on which the lid lies.
             rng: draws the presentation.
+
+        Raises:
+            FolderInUse: if the folder was closed.
         """
-        name = orientation, int(rng.integers(self._presentations))
+        self._recording.check_open()
+        name = orientation, int(rng.integers(self.presentations))
         if name not in self._trees:
             self._trees[name] = self._recording.tree(*name) or self._planted(*name)
         self._tree, self._node = self._trees[name], 0
@@ -62,52 +60,41 @@ class LazyTask(Closing):
         return RecordedLook(shown.look, np.array(shown.histogram))
 
     def _planted(self, orientation: Orientation, number: int) -> OutcomeTree:
-        tree = self._grower.plant(orientation, number)
+        tree = self._physics.plant(orientation, number)
         self._recording.keep(tree)
         return tree
 
     @property
-    def _tree_now(self) -> OutcomeTree:
-        if self._tree is None:
-            raise RecordingError("no trial is under way: call reset")
-        return self._tree
+    def _at(self) -> Node:
+        number = self.node
+        return self._tree.nodes[number]
 
     @property
     def predicates(self) -> PredicateState:
         """The predicates where the trial is."""
-        return self._tree_now.nodes[self._node].predicates
-
-    @property
-    def holder(self) -> Side | None:
-        """The hand whose grasp predicate is on."""
-        holders = self.predicates.holders
-        return holders[0] if holders else None
+        return self._at.predicates
 
     @property
     def inserted(self) -> bool:
         """Whether the jar stands in the receptacle and no hand holds it."""
-        return self._tree_now.nodes[self._node].inserted
+        return self._at.inserted
 
-    def execute(self, action: Action) -> ActionOutcome:
-        """Take over what an action led to; simulate it if that is not known.
-
-        Raises:
-            RecordingError: if it is not known and the tree was stored without states.
-        """
+    def _step(self, action: Action) -> RecordedStep | None:
+        self._recording.check_open()
         if not self.supervisor.may_run(action, self.predicates):
-            return ActionOutcome(action, False, ActionResult.NOT_ALLOWED, 0.0)
-        tree, edge = self._tree_now, Edge(self._node, action)
-        if (self._node, action) not in tree.children:
-            self._grower.extend(tree, edge)
+            return None
+        tree, edge = self._tree, Edge(self.node, action)
+        if (self.node, action) not in tree.children:
+            self._physics.extend(tree, edge)
             self._recording.keep(tree)
-        number = tree.children[self._node, action]
+        number = tree.children[self.node, action]
         led_to = tree.nodes[number]
-        if led_to.executed:
-            self._node = number
-        return ActionOutcome(action, led_to.executed, led_to.result, led_to.sim_seconds)
+        situation = number if led_to.executed else self.node
+        return RecordedStep(
+            situation, led_to.executed, led_to.result, led_to.sim_seconds
+        )
 
     def close(self) -> None:
         """Close the folder, and the physics if there is any."""
         self._recording.close()
-        if "_grower" in vars(self):
-            self._grower.close()
+        self._physics.close()

@@ -6,10 +6,10 @@ from typing import Any
 import pyarrow as pa
 
 from prospect_mj.actions.action import Action, ActionResult
+from prospect_mj.recording.node_predicates import COLUMNS, predicates_of, words_of
 from prospect_mj.recording.schema import SCHEMA
 from prospect_mj.recording.state_codec import state_of_row, state_row
 from prospect_mj.recording.tree import Node, OutcomeTree, Shown
-from prospect_mj.supervisor.predicates import ArmState, Jar, Place, PredicateState
 
 
 def tabulated(tree: OutcomeTree, states: bool = True) -> pa.Table:
@@ -24,7 +24,6 @@ def tabulated(tree: OutcomeTree, states: bool = True) -> pa.Table:
 
 
 def _row(tree: OutcomeTree, number: int, node: Node, states: bool) -> dict[str, Any]:
-    left, right, jar = node.predicates
     kept = node.state if states else None
     return {
         "orientation": tree.orientation,
@@ -37,11 +36,7 @@ def _row(tree: OutcomeTree, number: int, node: Node, states: bool) -> dict[str, 
         "sim_seconds": node.sim_seconds,
         "inserted": node.inserted,
         "depth": node.depth,
-        "left_holds": left.holding,
-        "left_place": left.place,
-        "right_holds": right.holding,
-        "right_place": right.place,
-        "jar": jar,
+        **words_of(node.predicates),
         "shown": vars(tree.shown) if node.parent is None else None,
         "state": None if kept is None else state_row(kept),
     }
@@ -59,11 +54,7 @@ def tree_of(table: pa.Table) -> OutcomeTree:
 
 
 def _node(row: Mapping[str, Any]) -> Node:
-    predicates = PredicateState(
-        ArmState(row["left_holds"], Place(row["left_place"])),
-        ArmState(row["right_holds"], Place(row["right_place"])),
-        Jar(row["jar"]),
-    )
+    predicates = predicates_of(*(row[name] for name in COLUMNS))
     action, result, state = row["action"], row["result"], row["state"]
     return Node(
         parent=row["parent"],

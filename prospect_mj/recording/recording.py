@@ -6,14 +6,15 @@ from pathlib import Path
 from typing import Self
 
 import numpy as np
+import pyarrow as pa
 from numpy.typing import NDArray
 
 from prospect_mj import paths
 from prospect_mj.errors import RecordingError
-from prospect_mj.recording import arrays, files, soundness
-from prospect_mj.recording.arrays import LEFT, Nodes, PredicateStates, Presentations
+from prospect_mj.recording import arrays, files
+from prospect_mj.recording.arrays import Nodes, PredicateStates, Presentations
+from prospect_mj.recording.hands import NUMBERS
 from prospect_mj.recording.key import RecordingKey
-from prospect_mj.task.presentation import ORIENTATIONS
 
 
 @dataclass(frozen=True)
@@ -41,8 +42,16 @@ class Recording:
         """
         path = paths.RECORDING if path is None else path
         key = RecordingKey.read(path)
-        table = files.all_trees(path, key)
-        soundness.check(table)
+        return cls.of(key, files.all_trees(path, key))
+
+    @classmethod
+    def of(cls, key: RecordingKey, table: pa.Table) -> Self:
+        """The recording of trees that are in a table, one after the other.
+
+        Args:
+            key: what it is of.
+            table: as `files.read` gives it.
+        """
         states, number = arrays.predicate_states(table)
         nodes = arrays.nodes(table, states, number)
         return cls(key, nodes, arrays.presentations(table, nodes), states)
@@ -69,10 +78,20 @@ class Recording:
             RecordingError: if there is none for a side.
         """
         found = np.flatnonzero(self.presentations.depth >= depth)
-        for lid, orientation in enumerate(ORIENTATIONS, LEFT):
+        for orientation, lid in NUMBERS.items():
             if not (self.presentations.lid[found] == lid).any():
                 raise RecordingError(
                     "the recording has no presentation with the lid to the "
-                    f"{orientation} that is complete to {depth} executed actions"
+                    f"{orientation} that is complete to {depth} executed actions; "
+                    f"{self._deepest()}"
                 )
         return found
+
+    def _deepest(self) -> str:
+        """How long trials may be for both sides to have a presentation, in words."""
+        shown = self.presentations
+        deepest = (shown.depth[shown.lid == lid] for lid in NUMBERS.values())
+        depth = min(int(depths.max(initial=0)) for depths in deepest)
+        if not depth:
+            return "let it grow until both sides have one"
+        return f"both sides have one complete to {depth}: max_actions={depth} steps it"

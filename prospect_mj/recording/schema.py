@@ -52,6 +52,8 @@ SCHEMA = pa.schema(
     }
 )
 """`state` is null where nothing grows on, or where it was left out."""
+OUTCOMES = tuple(name for name in SCHEMA.names if name != "state")
+"""All columns but the states."""
 NOT_AT_ROOTS = ("parent", "action", "result")
 """Columns that are null at a root, and nowhere else."""
 ROOTS_ONLY = ("shown",)

@@ -1,30 +1,20 @@
-"""A trial on recorded physics, with the interface of `task.PickPlaceTask`."""
-
-from typing import NamedTuple
+"""A trial on a recording in memory."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from prospect_mj.actions.action import Action, ActionOutcome, ActionResult
-from prospect_mj.closing import Closing
+from prospect_mj.actions.action import Action, ActionResult
 from prospect_mj.errors import RecordingError
-from prospect_mj.recording.arrays import LEFT, UNKNOWN
+from prospect_mj.recording.arrays import UNKNOWN
+from prospect_mj.recording.hands import NUMBERS, hand_of
 from prospect_mj.recording.recording import Recording
-from prospect_mj.robot.names import SIDES, Side
+from prospect_mj.recording.trial import RecordedLook, RecordedStep, RecordedTrial
+from prospect_mj.robot.names import Side
 from prospect_mj.supervisor.predicates import PredicateState
 from prospect_mj.supervisor.supervisor import Supervisor
-from prospect_mj.task.presentation import ORIENTATIONS, Orientation
+from prospect_mj.task.presentation import Orientation
 
 
-class RecordedLook(NamedTuple):
-    """What is recorded of a look."""
-
-    status: str
-    histogram: NDArray[np.int64]
-    """(100,) [pixels]."""
-
-
-class RecordedTask(Closing):
+class RecordedTask(RecordedTrial):
     """Presents what was recorded and steps from node to node.
 
     Args:
@@ -35,7 +25,6 @@ class RecordedTask(Closing):
 
     Attributes:
         recording: as given.
-        supervisor: as given.
     """
 
     def __init__(
@@ -46,14 +35,11 @@ class RecordedTask(Closing):
         Raises:
             RecordingError: if there is none for a side of the lid.
         """
-        self.recording, self.supervisor = recording, supervisor
-        self._node: int | None = None
+        super().__init__(supervisor)
+        self.recording = recording
         complete = recording.complete(depth)
         lids = recording.presentations.lid[complete]
-        self._complete = {
-            orientation: complete[lids == lid]
-            for lid, orientation in enumerate(ORIENTATIONS, LEFT)
-        }
+        self._complete = {side: complete[lids == lid] for side, lid in NUMBERS.items()}
 
     def reset(self, orientation: Orientation, rng: np.random.Generator) -> RecordedLook:
         """Present the jar as in one of the recorded presentations.
@@ -72,17 +58,6 @@ class RecordedTask(Closing):
         self._node = node
 
     @property
-    def node(self) -> int:
-        """Where the trial is.
-
-        Raises:
-            RecordingError: before the first.
-        """
-        if self._node is None:
-            raise RecordingError("no trial is under way: call reset")
-        return self._node
-
-    @property
     def predicates(self) -> PredicateState:
         """The predicates where the trial is."""
         number = self.recording.nodes.predicates[self.node]
@@ -91,20 +66,14 @@ class RecordedTask(Closing):
     @property
     def holder(self) -> Side | None:
         """The hand whose grasp predicate is on."""
-        hand = self.recording.nodes.holding[self.node]
-        return SIDES[hand - LEFT] if hand else None
+        return hand_of(int(self.recording.nodes.holding[self.node]))
 
     @property
     def inserted(self) -> bool:
         """Whether the jar stands in the receptacle and no hand holds it."""
         return bool(self.recording.nodes.inserted[self.node])
 
-    def execute(self, action: Action) -> ActionOutcome:
-        """Take over what an action led to, or do nothing if it may not run.
-
-        Raises:
-            RecordingError: if that was not recorded.
-        """
+    def _step(self, action: Action) -> RecordedStep | None:
         nodes = self.recording.nodes
         led_to = int(nodes.child[self.node, action])
         if led_to == UNKNOWN:
@@ -113,11 +82,13 @@ class RecordedTask(Closing):
                 f"{nodes.depth[self.node]} executed actions"
             )
         if led_to == self.node:
-            return ActionOutcome(action, False, ActionResult.NOT_ALLOWED, 0.0)
-        self._node = int(nodes.situation[led_to])
-        result = ActionResult(nodes.result[led_to])
-        executed = bool(nodes.executed[led_to])
-        return ActionOutcome(action, executed, result, float(nodes.sim_seconds[led_to]))
+            return None
+        return RecordedStep(
+            int(nodes.situation[led_to]),
+            bool(nodes.executed[led_to]),
+            ActionResult(nodes.result[led_to]),
+            float(nodes.sim_seconds[led_to]),
+        )
 
     def close(self) -> None:
         """Nothing is held."""

@@ -1,5 +1,6 @@
 """Work spread over processes by joblib: local ones, or those of a Ray cluster."""
 
+import os
 import warnings
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor
@@ -10,11 +11,15 @@ from typing import Any, Literal, TypeVar, get_args
 import joblib
 
 from prospect_mj.checks import check_choice, check_integer
-from prospect_mj.recording.ray_cluster import connected
+from prospect_mj.recording import ray_cluster
 
 Backend = Literal["local", "ray"]
 Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 """Like `map`, but for the order: results as they are ready."""
+
+_MOST_JOBS = 4096
+_MOST_LOCAL_JOBS = max(8, 4 * (os.cpu_count() or 1))
+"""More would wait for each other, and each needs some 300 MB."""
 
 _Given = TypeVar("_Given")
 _Made = TypeVar("_Made")
@@ -32,8 +37,18 @@ class Workers:
 
     def __post_init__(self) -> None:
         """Refuse what can't work."""
-        check_integer("jobs", self.jobs, 1, 4096)
         check_choice("backend", self.backend, get_args(Backend))
+        most = _MOST_LOCAL_JOBS if self.backend == "local" else _MOST_JOBS
+        check_integer("jobs", self.jobs, 1, most)
+
+    def check(self) -> None:
+        """Refuse what is not there, before anything is begun.
+
+        Raises:
+            ProspectError: as `mapper`, but for the size of a cluster.
+        """
+        if self.backend == "ray":
+            ray_cluster.check()
 
     @contextmanager
     def mapper(self) -> Iterator[Mapper]:
@@ -46,8 +61,9 @@ class Workers:
 
         Raises:
             MissingPackage: if Ray is wanted, and not installed.
-            InvalidValue: if no Ray cluster is at RAY_ADDRESS, or it is too small.
-            ChildProcessError: if a process was lost.
+            InvalidValue: if no Ray cluster can be joined at RAY_ADDRESS, or it is too
+                small.
+            ChildProcessError: if a process was lost, or Ray failed.
         """
         returned = "list" if self.backend == "ray" else "generator_unordered"
         with self._backend(), _told_plainly():
@@ -77,7 +93,7 @@ class Workers:
 
     def _backend(self) -> AbstractContextManager[object]:
         if self.backend == "ray":
-            return connected(self.jobs)
+            return ray_cluster.connected(self.jobs)
         return joblib.parallel_config("loky")
 
 

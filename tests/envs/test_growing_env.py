@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import prospect_mj  # noqa: F401  (registers the environment)
-from prospect_mj.errors import FolderInUse, RecordingError
+from prospect_mj.errors import FolderInUse, InvalidValue, RecordingError
 from prospect_mj.recording.grower import Grower
 from prospect_mj.recording.recording import Recording
 
@@ -117,6 +117,21 @@ def test_it_begins_where_another_was_killed_at_its_birth(tmp_path):
     env = make(tmp_path)
     env.close()
     assert (tmp_path / "recording.yaml").exists()
+
+
+def test_settings_that_can_not_be_simulated_leave_nothing(tmp_path):
+    with pytest.raises(InvalidValue, match="bytes"):
+        make(tmp_path / "new", grid_cells=1000)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_trial_may_have_more_actions_than_are_shipped(tmp_path):
+    env = make(tmp_path, max_actions=12)
+    env.reset(seed=1, options={"orientation": "left"})
+    ends = [env.step(action)[3] for action in (1, *[5] * 11)]
+    assert ends == [False] * 11 + [True]
+    env.close()
+    assert Recording.load(tmp_path).nodes.depth.max() == 12
 
 
 def test_a_file_in_the_folders_place_is_told_of(tmp_path):

@@ -9,6 +9,7 @@ import gymnasium
 import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
+from ideal_grower import SECONDS, grown_tree
 
 import prospect_mj  # noqa: F401  (registers the environment)
 from prospect_mj import paths
@@ -17,6 +18,9 @@ from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.errors import InvalidChoice, InvalidValue, RecordingError
 from prospect_mj.recording import provenance
 from prospect_mj.recording.arrays import LEFT, RIGHT
+from prospect_mj.recording.config import RecordingConfig
+from prospect_mj.recording.growing import GrowingRecording
+from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
 from prospect_mj.task.presentation import ORIENTATIONS, PresentationSettings
 
@@ -186,8 +190,28 @@ def test_other_sources_or_versions_are_warned_of_and_stepped(monkeypatch):
         (
             {"physics": "recorded", "max_actions": 11},
             RecordingError,
-            "no presentation with the lid to the left that is complete to 11",
+            "no presentation with the lid to the left that is complete to 11 .*"
+            "both sides have one complete to 10: max_actions=10 steps it",
         ),
+        (
+            {"physics": "recorded", "max_actions": 128},
+            InvalidValue,
+            "an integer from 1 to 127",
+        ),
+        ({"max_actions": "ten"}, InvalidValue, "'ten'; expected an integer"),
+        ({"max_actions": 2.5}, InvalidValue, "2.5; expected an integer"),
+        ({"max_actions": True}, InvalidValue, "True; expected an integer"),
+        ({"max_actions": 0}, InvalidValue, "from 1 to 1000"),
+        ({"physics": "recorded", "recording": 5}, InvalidValue, "the path of a folder"),
+        ({"physics": "recorded", "recording": ""}, InvalidValue, "path of a folder"),
+        ({"grow": "no"}, InvalidChoice, "'no'; valid: False, True"),
+        ({"settings": {"max_actions": 9}}, InvalidValue, "a PickPlaceSettings"),
+        ({"features": None}, InvalidValue, "features is None; expected a Feat"),
+        ({"presentation": 3}, InvalidValue, "presentation is 3; expected a Pres"),
+        ({"gross_motion": "fly"}, InvalidChoice, "valid: harmonic, cartesian"),
+        ({"object_pose": "guess"}, InvalidChoice, "valid: vision, truth"),
+        ({"grid_cells": "x"}, InvalidValue, "grid_cells is 'x'"),
+        ({"grid_cells": 1}, InvalidValue, "from 2 to"),
         (
             {"physics": "recorded", "recording": paths.ASSETS},
             RecordingError,
@@ -200,9 +224,45 @@ def test_what_can_not_be_is_refused(changes, error, words):
         PickPlaceEnv(**changes)
 
 
-def test_the_recording_may_be_named_by_a_string():
-    env = PickPlaceEnv(physics="recorded", recording=str(paths.RECORDING))
-    env.reset(seed=0)
+def half_grown(folder, **settings):
+    """One presentation of each side, complete to three and to two actions."""
+    config = RecordingConfig(**settings)
+    with GrowingRecording.open(folder, RecordingKey.present(config)) as recording:
+        recording.keep(grown_tree(3, "left", 0))
+        recording.keep(grown_tree(2, "right", 0))
+    return folder
+
+
+def test_the_recording_may_be_named_by_a_string(tmp_path):
+    folder = half_grown(tmp_path)
+    env = PickPlaceEnv(physics="recorded", recording=str(folder), max_actions=2)
+    assert env.settings.recording == folder
+    env.reset(seed=0, options={"orientation": "left"})
+    # As no real one does: the ideal trees' outcomes take this long.
+    assert env.step(0)[4]["sim_seconds"] == SECONDS
+
+
+def test_what_is_half_grown_is_stepped_as_far_as_it_goes(tmp_path):
+    half_grown(tmp_path)
+    with pytest.raises(RecordingError, match=r"complete to 2: max_actions=2 steps it"):
+        PickPlaceEnv(physics="recorded", recording=tmp_path)
+    env = PickPlaceEnv(physics="recorded", recording=tmp_path, max_actions=2)
+    for lid in ORIENTATIONS:
+        assert follow(env, lid, [GRASP[OTHER[lid]], INSERT[OTHER[lid]]])[-1][
+            "truncated"
+        ]
+
+
+def test_a_straight_recording_knows_no_grid(tmp_path):
+    half_grown(tmp_path, gross_motion="cartesian", grid_cells=8)
+    PickPlaceEnv(
+        physics="recorded", recording=tmp_path, gross_motion="cartesian", max_actions=2
+    )
+
+
+def test_a_number_of_numpys_is_one():
+    env = PickPlaceEnv(physics="recorded", max_actions=np.int32(7))
+    assert type(env.settings.max_actions) is int
 
 
 def test_settings_can_be_given_whole_and_by_name():

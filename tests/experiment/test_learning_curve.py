@@ -5,7 +5,8 @@ from prospect_mj.experiment.learning_curve import (
     block_means,
     first_near_optimal_window,
     moving_mean,
-    near_optimal_trial,
+    settled,
+    smoothed_near_optimal_trial,
 )
 
 
@@ -33,8 +34,16 @@ def test_moving_mean_by_hand():
         ([8, 2.2, 2.2, 2.5, 2.2, 2.2], 10),
     ],
 )
-def test_near_optimal_trial_by_hand(means, expected):
-    assert near_optimal_trial(means) == expected
+def test_smoothed_near_optimal_trial_by_hand(means, expected):
+    assert smoothed_near_optimal_trial(means) == expected
+
+
+def test_settling_by_hand():
+    curves = np.array(
+        [[9, 3, 2, 3], [9, 4, np.nan, 3], [np.nan, 1, 1, 1], [9, 1, 1, 4]]
+    )
+    assert settled(curves, 3).tolist() == [1, 2, 0, np.inf]
+    assert settled(curves, np.array([[2], [9], [1], [9]])).tolist() == [np.inf, 0, 0, 0]
 
 
 def test_first_near_optimal_window_by_hand():

@@ -1,5 +1,7 @@
 """Trees as arrays, and trials on them."""
 
+from pathlib import Path
+
 import numpy as np
 import pyarrow as pa
 import pytest
@@ -7,7 +9,7 @@ from ideal_grower import INSERTED, grown_tree, key
 
 from prospect_mj.actions.action import Action, ActionResult
 from prospect_mj.errors import RecordingError
-from prospect_mj.recording import arrays
+from prospect_mj.recording import soundness
 from prospect_mj.recording.arrays import LEFT, NONE, RIGHT, UNKNOWN
 from prospect_mj.recording.node_table import tabulated
 from prospect_mj.recording.recording import Recording
@@ -24,10 +26,7 @@ def table(depth=3):
 
 
 def recording(nodes_table):
-    states, number = arrays.predicate_states(nodes_table)
-    nodes = arrays.nodes(nodes_table, states, number)
-    shown = arrays.presentations(nodes_table, nodes)
-    return Recording(key(), nodes, shown, states)
+    return Recording.of(key(), nodes_table)
 
 
 def changed(nodes_table, row, **values):
@@ -87,15 +86,17 @@ def test_a_side_without_a_complete_tree_is_refused():
         recording(table(3)).complete(4)
 
 
-def test_a_depth_that_does_not_fit_is_noticed():
-    with pytest.raises(RecordingError, match="a depth does not fit"):
-        recording(changed(table(), 2, depth=2))
-
-
-@pytest.mark.parametrize("values", [{"node": 4}, {"parent": 2}])
-def test_a_tree_that_is_not_whole_is_noticed(values):
-    with pytest.raises(RecordingError, match="not whole"):
-        recording(changed(table(), 2, **values))
+def test_the_longest_trials_that_both_sides_have_are_named():
+    parts = [
+        tabulated(grown_tree(d, *n)) for d, n in zip((3, 1, 2), TREES, strict=True)
+    ]
+    made = recording(pa.concat_tables(parts))
+    with pytest.raises(RecordingError, match="complete to 2: max_actions=2 steps it"):
+        made.complete(3)
+    assert made.complete(2).tolist() == [0, 2]
+    lone = recording(tabulated(grown_tree(3)))
+    with pytest.raises(RecordingError, match="let it grow until both sides have one"):
+        lone.complete(1)
 
 
 def test_an_action_that_finds_nothing_to_do_leaves_the_trial_where_it_is():
@@ -106,7 +107,9 @@ def test_an_action_that_finds_nothing_to_do_leaves_the_trial_where_it_is():
     rows = nodes_table.to_pylist()
     again = {**rows[1], "node": 3, "parent": 1, "executed": False}
     rows.insert(3, {**again, "action": 1, "result": "not_seen", "sim_seconds": 0.0})
-    made = recording(pa.Table.from_pylist(rows, nodes_table.schema))
+    found = pa.Table.from_pylist(rows, nodes_table.schema)
+    soundness.check(found, Path("lost.parquet"))
+    made = recording(found)
     assert made.nodes.situation.tolist()[:4] == [0, 1, 2, 1]
     task = RecordedTask(made, Supervisor(), 1)
     task.begin(1)

@@ -3,12 +3,17 @@
 import shutil
 
 import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
 import pytest
 from ideal_grower import grown_tree, key
 
+from prospect_mj import tables
 from prospect_mj.errors import RecordingError
-from prospect_mj.recording import files, packing
+from prospect_mj.recording import files
 from prospect_mj.recording.growing import GrowingRecording
+from prospect_mj.recording.node_table import tabulated
+from prospect_mj.recording.packing import Packing
 from prospect_mj.recording.recording import Recording
 from prospect_mj.storage import replace_file
 
@@ -27,7 +32,8 @@ def grown(tmp_path_factory):
 @pytest.fixture(scope="module")
 def packed(tmp_path_factory):
     folder = tmp_path_factory.mktemp("files") / "packed"
-    packing.pack([grown_tree(3, *name) for name in TREES], key(), folder)
+    with Packing.open(folder, folder.parent / "grown") as packing:
+        packing.write([tabulated(grown_tree(3, *name)) for name in TREES], key())
     return folder
 
 
@@ -58,8 +64,39 @@ def test_trees_are_not_stepped_twice(copied, packed):
 
 def test_a_copied_tree_under_another_name_is_noticed(copied):
     shutil.copy(copied / "left-0000.parquet", copied / "left-0007.parquet")
-    with pytest.raises(RecordingError, match="a presentation is there twice"):
+    with pytest.raises(RecordingError, match=r"left-0007.*misnamed.*left-0000"):
         Recording.load(copied)
+
+
+def test_a_table_of_two_trees_under_the_name_of_one_is_noticed(copied, packed):
+    """As it would be loaded, and grown on without the second."""
+    shutil.copy(packed / files.PACKED, copied / "left-0000.parquet")
+    with pytest.raises(RecordingError, match=r"left-0000.* more than one tree"):
+        Recording.load(copied)
+
+
+def test_a_number_with_more_zeros_is_no_other_tree(copied):
+    shutil.copy(copied / "left-0001.parquet", copied / "left-00001.parquet")
+    with pytest.raises(RecordingError, match=r"left-00001.* misnamed"):
+        Recording.load(copied)
+
+
+def test_a_table_that_makes_no_sense_is_named(copied):
+    path = copied / "left-0001.parquet"
+    table = pq.read_table(path)
+    rows = table.to_pylist()
+    rows[0]["executed"] = False
+    nonsense = pa.Table.from_pylist(rows, table.schema)
+    replace_file(path, tables.parquet(nonsense, key().digest))
+    with pytest.raises(RecordingError, match=r"left-0001.parquet is damaged: a root"):
+        Recording.load(copied)
+
+
+@pytest.mark.parametrize("name", ["link", "link/below", "x" * 300])
+def test_where_there_can_be_no_folder_is_one_clear_line(name, tmp_path):
+    (tmp_path / "link").symlink_to("nowhere")
+    with pytest.raises(RecordingError, match=r"not a folder|can't be used"):
+        GrowingRecording.open(tmp_path / name, key())
 
 
 @pytest.mark.parametrize("folder", ["grown", "packed"])

@@ -1,7 +1,11 @@
 """The folder of a recording: what it refuses, and that it then touches nothing."""
 
+import os
 import shutil
+import subprocess
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import pyarrow as pa
 import pyarrow.parquet as pq
@@ -10,15 +14,13 @@ from ideal_grower import content, grown_tree, key
 
 from prospect_mj import tables
 from prospect_mj.errors import FolderInUse, RecordingError
-from prospect_mj.recording.config import Extent
-from prospect_mj.recording.files import PACKED, check_free_to_pack
 from prospect_mj.recording.growing import GrowingRecording
 from prospect_mj.recording.key import NAME
-from prospect_mj.recording.packing import pack
-from prospect_mj.recording.recording import Recording
 from prospect_mj.recording.schema import SCHEMA
+from prospect_mj.recording.state_codec import state_row
 
 KEY = key()
+TESTS = Path(__file__).resolve().parents[1]
 
 
 @pytest.fixture
@@ -36,21 +38,61 @@ def test_what_was_kept_is_there_when_it_is_opened_again(folder):
         assert recording.n_trees == 1
 
 
-def test_a_second_process_is_refused(folder):
+def test_what_is_open_here_is_not_opened_twice(folder):
     before = content(folder)
     with (
         GrowingRecording.open(folder, KEY),
-        pytest.raises(FolderInUse, match="in use by another process"),
+        pytest.raises(FolderInUse, match="or by something not closed in this one"),
     ):
         GrowingRecording.open(folder, KEY)
     assert content(folder) == before
     GrowingRecording.open(folder, KEY).close()
 
 
+def test_a_second_process_is_refused(folder):
+    code = (
+        "from pathlib import Path\n"
+        "from ideal_grower import key\n"
+        "from prospect_mj.recording.growing import GrowingRecording\n"
+        f"GrowingRecording.open(Path({str(folder)!r}), key())"
+    )
+    with GrowingRecording.open(folder, KEY):
+        path = {"PYTHONPATH": str(TESTS)}
+        done = subprocess.run(
+            [sys.executable, "-c", code],
+            env=os.environ | path,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+    assert "FolderInUse" in done.stderr.splitlines()[-1]
+
+
+def test_closed_it_neither_reads_nor_overwrites(folder):
+    """Another process may have made the tree larger since."""
+    first = GrowingRecording.open(folder, KEY)
+    tree = first.tree("left", 0)
+    first.close()
+    with GrowingRecording.open(folder, KEY) as second:
+        second.keep(grown_tree(4))
+    before = content(folder)
+    for use in (lambda: first.keep(tree), lambda: first.tree("left", 0)):
+        with pytest.raises(FolderInUse, match="was closed"):
+            use()
+    assert content(folder) == before
+
+
+def test_where_its_last_presentation_is(folder):
+    with GrowingRecording.open(folder, KEY) as recording:
+        assert recording.presentations == 1
+        recording.keep(grown_tree(1, "right", 70))
+        assert recording.presentations == 71
+
+
 @pytest.mark.parametrize(
     ("other", "words"),
     [
-        (key(seed=1), "its seed is 0, not 1"),
+        (key(seed=1), "made with seed 0, not 1"),
         (replace(KEY, versions={**KEY.versions, "numpy": "9"}), "numpy 2.4.6, not 9"),
         (replace(KEY, sha256={**KEY.sha256, "sources": "x"}), "sources changed since"),
     ],
@@ -109,6 +151,31 @@ def without_a_root(path):
     path.write_bytes(tables.parquet(pq.read_table(path).slice(1), KEY.digest))
 
 
+def changed(row, **values):
+    """Harm that a checksum knows nothing of."""
+
+    def harm(path):
+        table = pq.read_table(path)
+        rows = table.to_pylist()
+        rows[row] |= values
+        nonsense = pa.Table.from_pylist(rows, table.schema)
+        path.write_bytes(tables.parquet(nonsense, KEY.digest))
+
+    return harm
+
+
+def with_an_edge_twice(path):
+    table = pq.read_table(path)
+    rows = table.to_pylist()
+    rows.append({**rows[-1], "node": len(rows)})
+    nonsense = pa.Table.from_pylist(rows, table.schema)
+    path.write_bytes(tables.parquet(nonsense, KEY.digest))
+
+
+STATE = grown_tree(3).nodes[-1].state
+SHOWN = vars(grown_tree(3).shown)
+
+
 def half_written(path):
     path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
 
@@ -129,8 +196,17 @@ HARM = {
     lambda path: path.write_bytes(b""): "damaged",
     lambda path: path.write_text("left,0\n"): "damaged",
     without_rows: "holds no tree",
-    without_a_root: "holds no tree",
-    with_absurd_words: "holds no tree",
+    without_a_root: "its first node is no root",
+    with_absurd_words: "left_place is 'nowhere'",
+    with_an_edge_twice: "leads from a node to two others",
+    changed(2, parent=99): "a tree is not whole",
+    changed(2, parent=-1): "parent is out of its range",
+    changed(0, shown={**SHOWN, "histogram": [7]}): "a histogram is not whole",
+    changed(2, left_holds=True, right_holds=True): "can't end in",
+    changed(12, state={**state_row(STATE), "physics": [1.0]}): "physics of a state",
+    changed(12, state={**state_row(STATE), "physics": []}): "physics of a state",
+    changed(12, state={**state_row(STATE), "seen": [1.0]}): "seen of a state",
+    changed(12, state={**state_row(STATE), "held_left": [1.0]}): "held_left of a state",
     columns_missing: "has other columns",
     of_another_recording: "is from another recording",
 }
@@ -159,51 +235,3 @@ def test_a_tree_under_anothers_name_is_refused(folder):
         pytest.raises(RecordingError, match=r"misnamed: it holds what left-0000"),
     ):
         recording.tree("right", 3)
-
-
-def test_only_complete_trees_of_the_extent_are_packed(folder, tmp_path):
-    with GrowingRecording.open(folder, KEY) as recording:
-        recording.keep(grown_tree(2, "right", 0))
-        recording.keep(grown_tree(3, "right", 1))
-        recording.keep(grown_tree(4, "left", 2))
-        trees = list(recording.complete_trees(Extent(presentations=2, depth=3)))
-    assert [tree.name for tree in trees] == [("left", 0), ("right", 1)]
-    assert pack(trees, KEY, tmp_path / "packed") == 2
-    packed = Recording.load(tmp_path / "packed")
-    assert packed.key == KEY
-    assert packed.presentations.depth.tolist() == [3, 3]
-    assert len(packed.nodes.depth) == 2 * 13
-
-
-def test_nothing_is_not_packed(tmp_path):
-    with pytest.raises(RecordingError, match="no complete tree"):
-        pack([], KEY, tmp_path / "packed")
-    assert not (tmp_path / "packed").exists()
-
-
-def test_what_was_packed_cannot_grow_on(tmp_path):
-    path = tmp_path / "packed"
-    pack([grown_tree(2)], KEY, path)
-    before = content(path)
-    assert set(before) == {NAME, PACKED}
-    with pytest.raises(RecordingError, match=r"can't grow on: .*without states"):
-        GrowingRecording.open(path, KEY)
-    assert content(path) == before
-
-
-def test_only_a_free_folder_is_packed_into(tmp_path):
-    (tmp_path / "full").mkdir()
-    (tmp_path / "full" / "thesis.tex").touch()
-    (tmp_path / "empty").mkdir()
-    growing = tmp_path / "runs" / "recording"
-    check_free_to_pack(tmp_path / "new", growing)
-    check_free_to_pack(tmp_path / "empty", growing)
-    for path, words in {
-        tmp_path / "full": "is not empty",
-        tmp_path / "full" / "thesis.tex": "is not a folder",
-        growing: "grows in it",
-        tmp_path / "runs": "grows in it",
-        tmp_path / "x" / ".." / "runs": "grows in it",
-    }.items():
-        with pytest.raises(RecordingError, match=words):
-            check_free_to_pack(path, growing)

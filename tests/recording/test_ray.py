@@ -9,15 +9,16 @@ import subprocess
 import sys
 import tempfile
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from ideal_grower import content
 
-from prospect_mj.errors import InvalidValue
+from prospect_mj.errors import InvalidValue, RecordingError
 from prospect_mj.recording.config import Extent, RecordingConfig
 from prospect_mj.recording.growing import GrowingRecording
-from prospect_mj.recording.growth import Growth
+from prospect_mj.recording.growth import Growth, Unit, grown
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.workers import Workers
 
@@ -55,19 +56,23 @@ def head():
             stderr=subprocess.STDOUT,
             start_new_session=True,
         )
-    until = time.monotonic() + 60
-    while "Ray runtime started" not in (folder / "head.log").read_text():
-        assert process.poll() is None, (folder / "head.log").read_text()
-        assert time.monotonic() < until, (folder / "head.log").read_text()
-        time.sleep(0.1)
-    yield bare | quiet | {"RAY_ADDRESS": f"127.0.0.1:{port}"}
-    process.terminate()
     try:
+        wait_for(process, folder / "head.log")
+        yield bare | quiet | {"RAY_ADDRESS": f"127.0.0.1:{port}"}
+        process.terminate()
         process.wait(20)
     finally:
         if process.poll() is None:
             os.killpg(process.pid, signal.SIGKILL)
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def wait_for(process, log):
+    until = time.monotonic() + 60
+    while "Ray runtime started" not in log.read_text():
+        assert process.poll() is None, log.read_text()
+        assert time.monotonic() < until, log.read_text()
+        time.sleep(0.1)
 
 
 def record(head, out, *options):
@@ -121,6 +126,31 @@ def test_processes_stay_for_everything_that_is_mapped(connected):
     with Workers(2, "ray").mapper() as mapped:
         assert list(mapped(math.sqrt, [4, 9])) == [2, 3]
         assert list(mapped(math.sqrt, [16])) == [4]
+
+
+def test_a_machine_of_other_versions_is_refused_in_its_own_words(connected):
+    key = RecordingKey.present(RecordingConfig())
+    other = replace(key, versions=key.versions | {"mujoco": "3.16.0"})
+    with pytest.raises(RecordingError, match=r"can't grow on .* mujoco 3\.16\.0, not"):
+        list(Workers(2, "ray").map(grown, [Unit(other, "left", 0, None, 2)]))
+
+
+def test_a_cluster_of_other_versions_is_named(connected, monkeypatch):
+    monkeypatch.setattr("ray.__version__", "1.0.0")
+    with pytest.raises(InvalidValue, match=r"can be joined; .*(?s:.*)Ray: 1\.0\.0"):
+        list(Workers(2, "ray").map(math.sqrt, [4]))
+
+
+def test_a_connection_of_the_caller_stays(connected):
+    import ray
+
+    ray.init(os.environ["RAY_ADDRESS"], log_to_driver=False)
+    try:
+        with pytest.raises(InvalidValue, match="not connected to yet"):
+            list(Workers(2, "ray").map(math.sqrt, [4]))
+        assert ray.is_initialized()
+    finally:
+        ray.shutdown()
 
 
 def test_a_lost_process_of_the_cluster_is_one_clear_error(connected):

@@ -106,15 +106,23 @@ def test_killed_and_gone_on_with_it_has_the_same_bytes(grown, tmp_path):
     """SIGKILL to all its processes, as soon as something is kept."""
     out = tmp_path / "killed"
     process = record(out, "--jobs", "1")
-    while not list(out.glob("*-*.parquet")):
-        assert process.poll() is None, process.stderr.read()
-        time.sleep(0.02)
-    os.killpg(process.pid, signal.SIGKILL)
+    until = time.monotonic() + 120
+    try:
+        while not list(out.glob("*-*.parquet")):
+            assert process.poll() is None, process.stderr.read()
+            assert time.monotonic() < until
+            time.sleep(0.02)
+    finally:
+        os.killpg(process.pid, signal.SIGKILL)
     process.communicate()
     n_left = 6 * (2 - len(list(out.glob("*-*.parquet"))))
     assert n_left > 0
     process = record(out, "--jobs", "2")
-    said, complained = process.communicate(timeout=120)
+    try:
+        said, complained = process.communicate(timeout=120)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        raise
     assert process.returncode == 0, complained
     assert said == f"{out}: {n_left} actions recorded\n"
     mine, theirs = content(out), content(grown)

@@ -5,12 +5,11 @@ import pytest
 
 from prospect_mj.actions.action import Action
 from prospect_mj.recording import provenance
-from prospect_mj.recording.arrays import LEFT, NONE, RIGHT, UNKNOWN
+from prospect_mj.recording.arrays import UNKNOWN
+from prospect_mj.recording.hands import LEFT, RIGHT, hand_of, number_of
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
-from prospect_mj.robot.names import SIDES
 from prospect_mj.sim import gl
-from prospect_mj.task.presentation import ORIENTATIONS
 
 DEPTH = 10
 EDGES = 462
@@ -71,7 +70,7 @@ def simulate(recording, grower, rng):
     """Run a random path on live physics and hold it against the recording."""
     number, path = random_path(recording, rng)
     shown, nodes = recording.presentations, recording.nodes
-    orientation = ORIENTATIONS[shown.lid[number] - LEFT]
+    orientation = hand_of(int(shown.lid[number]))
     tree = grower.plant(orientation, int(shown.number[number]))
     assert tree.shown.look == shown.look[number]
     assert_same_picture(recording, tree.shown.histogram, shown.histogram[number])
@@ -80,8 +79,7 @@ def simulate(recording, grower, rng):
         holder = grower.task.holder
         assert outcome.executed == nodes.executed[node]
         assert outcome.result == nodes.result[node]
-        holding = NONE if holder is None else LEFT + SIDES.index(holder)
-        assert holding == nodes.holding[node]
+        assert number_of(holder) == nodes.holding[node]
         assert grower.task.inserted == nodes.inserted[node]
         if is_the_same_machine(recording):
             assert outcome.sim_seconds == nodes.sim_seconds[node]

@@ -1,5 +1,7 @@
 """Tables that are whole and make no sense are refused, each for its own reason."""
 
+from pathlib import Path
+
 import pyarrow as pa
 import pytest
 from ideal_grower import grown_tree
@@ -9,8 +11,10 @@ from prospect_mj.recording import soundness
 from prospect_mj.recording.node_table import tabulated
 
 TREES = (("left", 0), ("left", 3), ("right", 1))
-FIRST, NODE = 0, 2
-"""Rows: a root, and a node that an action led to."""
+PATH = Path("some.parquet")
+FIRST, NODE, LAST = 0, 2, 12
+"""Rows: a root, the node that a grasp with the right hand led to, and one where nothing
+follows: that hand has tried to insert the wrong way round, twice."""
 
 
 def table():
@@ -31,15 +35,17 @@ def shown(**values):
 
 
 def test_what_was_recorded_is_sound():
-    soundness.check(table())
+    soundness.check(table(), PATH)
+    for depth in (0, 3):
+        soundness.check(tabulated(grown_tree(depth)), PATH)
 
 
 @pytest.mark.parametrize(
     "name", [name for name in table().column_names if name != "shown"]
 )
 def test_a_missing_value_is_noticed(name):
-    with pytest.raises(RecordingError, match=f"{name} is missing|first node"):
-        soundness.check(changed(NODE, **{name: None}))
+    with pytest.raises(RecordingError, match=f"{name} is missing"):
+        soundness.check(changed(NODE, **{name: None}), PATH)
 
 
 @pytest.mark.parametrize(
@@ -62,6 +68,26 @@ def test_a_missing_value_is_noticed(name):
         (NODE, {"orientation": "right"}, "orientation changes within a tree"),
         (NODE, {"presentation": 9}, "presentation changes within a tree"),
         (NODE, {"action": 0}, "an action leads from a node to two others"),
+        (FIRST, {"executed": False}, "a root is more than a presentation"),
+        (FIRST, {"inserted": True}, "a root is more than a presentation"),
+        (FIRST, {"depth": 1}, "a root is more than a presentation"),
+        (FIRST, {"sim_seconds": 1.0}, "a root is more than a presentation"),
+        (FIRST, {"left_place": "astray"}, "no trial begins with left empty astray"),
+        (FIRST, {"shown": shown(look=None)}, "look is 'None'"),
+        (FIRST, {"shown": shown(look="glimpsed")}, "look is 'glimpsed'"),
+        (FIRST, {"shown": shown(yaw=None)}, "a presentation is not whole"),
+        (FIRST, {"shown": shown(position=None)}, "a presentation is not whole"),
+        (FIRST, {"shown": shown(lamp_gain=float("nan"))}, "a presentation is not"),
+        (NODE, {"node": 4}, "a tree is not whole"),
+        (NODE, {"parent": 2}, "a tree is not whole"),
+        (NODE, {"depth": 2}, "a depth does not fit"),
+        (NODE, {"inserted": True}, "a node follows one where nothing grows"),
+        (LAST, {"executed": False, "depth": 2}, "executed does not fit the result"),
+        (LAST, {"result": "not_seen"}, "executed does not fit the result"),
+        (LAST, {"inserted": True}, "a jar is inserted and held"),
+        (LAST, {"result": "lost"}, "insert-right can't end in lost: "),
+        (LAST, {"right_place": "at rest"}, "insert-right can't end in jammed: "),
+        (NODE, {"action": 5}, "insert-right may not run from: left empty at rest"),
         (FIRST, {"shown": shown(histogram=[1] * 99)}, "a histogram is not whole"),
         (FIRST, {"shown": shown(histogram=[-1] * 100)}, "a histogram is not whole"),
         (FIRST, {"shown": shown(histogram=[])}, "a histogram is not whole"),
@@ -70,15 +96,15 @@ def test_a_missing_value_is_noticed(name):
     ],
 )
 def test_nonsense_is_noticed(row, values, words):
-    with pytest.raises(RecordingError, match=f"damaged: {words}"):
-        soundness.check(changed(row, **values))
+    with pytest.raises(RecordingError, match=f"some.parquet is damaged: {words}"):
+        soundness.check(changed(row, **values), PATH)
 
 
 def test_a_tree_that_is_there_twice_is_noticed():
     with pytest.raises(RecordingError, match="a presentation is there twice"):
-        soundness.check(pa.concat_tables([table(), table()]))
+        soundness.check(pa.concat_tables([table(), table()]), PATH)
 
 
 def test_a_table_without_a_root_is_noticed():
     with pytest.raises(RecordingError, match="its first node is no root"):
-        soundness.check(table().slice(1))
+        soundness.check(table().slice(1), PATH)

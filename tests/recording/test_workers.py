@@ -5,10 +5,12 @@ import signal
 import socket
 import sys
 import time
+from functools import partial
 
 import pytest
 
 from prospect_mj.errors import InvalidValue, MissingPackage
+from prospect_mj.recording import ray_cluster
 from prospect_mj.recording.workers import Workers
 
 
@@ -16,9 +18,14 @@ def square(number):
     return number**2, os.getpid()
 
 
-def wait(seconds):
-    time.sleep(seconds)
-    return seconds
+def met(folder, number):
+    """Come back only after the other one has; the first, after that."""
+    if number == 0:
+        until = time.monotonic() + 60
+        while not (folder / "1").exists() and time.monotonic() < until:
+            time.sleep(0.01)
+    (folder / str(number)).touch()
+    return number
 
 
 def die(number):
@@ -39,8 +46,9 @@ def test_everything_is_done_once(jobs):
     assert here == (jobs == 1)
 
 
-def test_results_come_as_they_are_ready():
-    assert list(Workers(2).map(wait, [1.0, 0.0])) == [0.0, 1.0]
+def test_results_come_as_they_are_ready(tmp_path):
+    """The first piece of work waits for the second, however late that begins."""
+    assert list(Workers(2).map(partial(met, tmp_path), [0, 1])) == [1, 0]
 
 
 def test_processes_stay_for_everything_that_is_mapped():
@@ -93,6 +101,27 @@ def test_where_nothing_listens_there_is_no_cluster_and_no_waiting(monkeypatch):
     with pytest.raises(InvalidValue, match="nothing answers"):
         list(Workers(2, "ray").map(square, range(2)))
     assert time.monotonic() - began < 10.0
+
+
+def test_what_is_no_ray_cluster_is_told_of_in_time(monkeypatch):
+    """It takes calls and says nothing; Ray itself would wait for minutes."""
+    monkeypatch.setattr(ray_cluster, "_SECONDS_TO_ANSWER", 3.0)
+    with socket.socket() as silent:
+        silent.bind(("127.0.0.1", 0))
+        silent.listen()
+        monkeypatch.setenv("RAY_ADDRESS", f"127.0.0.1:{silent.getsockname()[1]}")
+        began = time.monotonic()
+        with pytest.raises(InvalidValue, match="what answers is none"):
+            list(Workers(2, "ray").map(square, range(2)))
+    assert time.monotonic() - began < 30.0
+
+
+def test_a_local_machine_is_not_crowded():
+    most = max(8, 4 * os.cpu_count())
+    assert Workers(most).jobs == most
+    with pytest.raises(InvalidValue, match=f"from 1 to {most}"):
+        Workers(most + 1)
+    assert Workers(4096, "ray").jobs == 4096
 
 
 def test_without_ray_the_extra_is_named(monkeypatch):

@@ -6,11 +6,12 @@ import sys
 from pathlib import Path
 
 import pytest
-from ideal_grower import content, grow_ideally, grown_tree
+from ideal_grower import IdealGrower, content, grow_ideally, grow_with, grown_tree
 
 from prospect_mj.cli import record
-from prospect_mj.errors import RenderingUnavailable
+from prospect_mj.errors import RenderingUnavailable, UnforeseenEvent
 from prospect_mj.recording import growth, provenance
+from prospect_mj.recording.packing import Packing
 from prospect_mj.recording.recording import Recording
 from prospect_mj.sim import gl
 
@@ -93,16 +94,16 @@ def test_packing_everything_leaves_nothing_out(capsys):
 
 
 def test_interrupted_it_keeps_what_it_has(monkeypatch, capsys, ideal):
-    class Interrupted(type(ideal())):
+    class Interrupted(ideal):
         def extend(self, tree, edge):
             if ideal.n_run == 20:
                 raise KeyboardInterrupt
             super().extend(tree, edge)
 
-    monkeypatch.setattr(growth, "_grower", lambda key: Interrupted())
+    grow_with(monkeypatch, Interrupted)
     assert run("--out", "it") == 130
     assert capsys.readouterr().err.endswith("interrupted: what was recorded is kept\n")
-    monkeypatch.setattr(growth, "_grower", lambda key: ideal())
+    grow_with(monkeypatch, ideal)
     assert run("--out", "it") == 0
     # One tree was kept; of the second, the work under way was lost.
     assert f"it: {N_ACTIONS - N_OF_TREE} actions" in capsys.readouterr().out
@@ -118,6 +119,10 @@ REFUSED = {
     "--jobs 0": "jobs is 0",
     "--backend slurm": "slurm",
     "--seed -1": "seed is -1",
+    "--grid-cells 1000": "bytes",
+    "--jobs 4096": "jobs is 4096",
+    "--out link": "link is not a folder",
+    "--pack link": "link is not a folder",
     "--grid-cells 1": "grid cells per joint is 1",
     "--gross-motion fly": "fly",
     "--out file": "file is not a folder",
@@ -137,6 +142,7 @@ def test_bad_input_is_one_line_and_nothing_is_written(
     (elsewhere / "thesis").mkdir()
     (elsewhere / "thesis" / "chapter.tex").write_text("...")
     (elsewhere / "file").write_text("...")
+    (elsewhere / "link").symlink_to("nowhere")
     before = content(elsewhere)
     assert record.main([*SMALL, *options.split()]) == 2
     said = capsys.readouterr()
@@ -147,12 +153,40 @@ def test_bad_input_is_one_line_and_nothing_is_written(
     assert content(elsewhere) == before
 
 
-def test_without_a_cluster_it_says_so(capsys, monkeypatch, ideal):
+def test_without_a_cluster_it_says_so(elsewhere, capsys, monkeypatch, ideal):
     monkeypatch.delenv("RAY_ADDRESS", raising=False)
     assert run("--out", "it", "--backend", "ray") == 2
     expected = "RAY_ADDRESS is None; expected host:port of a running Ray cluster"
     assert capsys.readouterr().err == f"error: {expected}\n"
     assert ideal.n_run == 0
+    assert not content(elsewhere)
+
+
+def test_a_place_to_pack_into_is_taken_before_anything_grows(elsewhere, capsys, ideal):
+    with Packing.open(elsewhere / "packed", elsewhere / "other"):
+        assert run("--out", "it", "--pack", "packed") == 2
+        assert "in use by another process" in capsys.readouterr().err
+    assert ideal.n_run == 0
+    assert not content(elsewhere)
+
+
+def test_what_fails_is_told_in_the_end_and_the_rest_is_packed(monkeypatch, capsys):
+    class Failing(IdealGrower):
+        def extend(self, tree, edge):
+            if tree.name == ("left", 1):
+                raise UnforeseenEvent("success", "nowhere")
+            super().extend(tree, edge)
+
+    grow_with(monkeypatch, Failing)
+    assert run("--out", "it", "--pack", "packed") == 1
+    said = capsys.readouterr()
+    assert "packed: 3 trees packed" in said.out
+    assert said.err.splitlines()[-2:] == [
+        "warning: left 1, node 0, grasp-left: unforeseen event: success; "
+        "it can't happen in: nowhere",
+        "error: 1 of the trees could not be grown to an end",
+    ]
+    assert len(Recording.load(Path("packed")).presentations.root) == 3
 
 
 CHANGED = {
@@ -184,7 +218,7 @@ def test_another_seed_is_another_recording(elsewhere, capsys):
     before = content(elsewhere)
     capsys.readouterr()
     assert run("--out", "it", "--seed", "1") == 2
-    assert "its seed is 0, not 1" in capsys.readouterr().err
+    assert "made with seed 0, not 1" in capsys.readouterr().err
     assert content(elsewhere) == before
 
 

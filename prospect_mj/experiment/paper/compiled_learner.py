@@ -47,7 +47,8 @@ def run_trials(
             of what would follow.
 
     Raises:
-        InvalidValue: if an array is of the wrong size, or the learner diverges.
+        InvalidValue: if an array is of the wrong size, there is a state without any
+            choice, or the learner diverges.
         RecordingError: if an action's outcome is not known.
     """
     rule = Rule(
@@ -71,6 +72,7 @@ def _run(
     weights: NDArray[np.float64], graph: Graph, trials: Trials, rule: Rule
 ) -> Outcomes:
     _check_sizes(weights, graph, trials)
+    _check_choices(graph.choices)
     shape = trials.draws.shape[:2]
     outcomes = Outcomes(
         np.full(shape[0], shape[1], np.int8),
@@ -133,4 +135,13 @@ def _check_sizes(weights: NDArray[np.float64], graph: Graph, trials: Trials) -> 
         if numbers.shape != (length,):
             raise InvalidValue(f"shape of {what}", numbers.shape, f"({length},)")
         if length and not 0 <= numbers.min() <= numbers.max() < end:
-            raise InvalidValue(what, int(numbers.max()), f"0 to {end - 1}")
+            wrong = numbers.min() if numbers.min() < 0 else numbers.max()
+            raise InvalidValue(what, int(wrong), f"0 to {end - 1}")
+
+
+def _check_choices(choices: NDArray[np.bool_]) -> None:
+    """Refuse a graph that leaves the learner nothing to choose from."""
+    for phase, state in np.argwhere(~choices.any(axis=2)):
+        raise InvalidValue(
+            f"choice set of state {state} in phase {phase}", [], "an action at least"
+        )

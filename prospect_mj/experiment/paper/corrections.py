@@ -1,14 +1,14 @@
 """What is measured on the corrections in difficult trials, as `measures` does it.
 
-Two measures of when a correction is gone are taken side by side: early corrections
-are rarer than late ones from the start, so that they fall below any fixed share sooner.
+Two measures of when a correction is gone are taken side by side: the rarer of two
+corrections is nearer to any fixed share from the start, and falls below it sooner.
 """
 
 import numpy as np
 
-from prospect_mj.experiment.learning_curve import BLOCK
-from prospect_mj.experiment.paper.bands import Curves, Floats, mean_of_sets
-from prospect_mj.experiment.paper.measures import settled
+from prospect_mj.experiment.learning_curve import BLOCK, settled
+from prospect_mj.experiment.paper.bootstrap import Floats
+from prospect_mj.experiment.paper.curves import Curves, moving_means
 from prospect_mj.experiment.paper.sample import Pair
 from prospect_mj.experiment.paper.strategies import Strategy
 
@@ -17,9 +17,6 @@ GONE = 0.02
 makes 0.05 / 6 = 0.8 % of first grasps wrong ones."""
 FADED = 0.25
 """Part of its own largest share at which a correction counts as faded."""
-SMOOTHED = 5
-"""Sets per moving mean for this, as the largest of so many single sets is the one with
-most noise."""
 
 
 def correction_margin(pair: Pair) -> Floats:
@@ -116,10 +113,7 @@ def _after(curves: Curves, strategy: Strategy) -> Floats:
 
 def _smooth(curves: Curves, strategy: Strategy) -> Floats:
     """The same as moving means."""
-    shares = _after(curves, strategy)
-    length = min(SMOOTHED, shares.shape[1])
-    windows = np.lib.stride_tricks.sliding_window_view(shares, length, axis=1)
-    return mean_of_sets(windows)
+    return moving_means(_after(curves, strategy))
 
 
 def _gone(curves: Curves, strategy: Strategy) -> Floats:

@@ -4,7 +4,8 @@ import numpy as np
 import pyarrow as pa
 
 from prospect_mj.experiment.learning_curve import BLOCK
-from prospect_mj.experiment.paper.bands import Curves, Floats, band
+from prospect_mj.experiment.paper.bootstrap import Floats, band
+from prospect_mj.experiment.paper.curves import Curves
 from prospect_mj.experiment.paper.strategies import Strategy
 
 CORRECTION = "correction"

@@ -7,23 +7,14 @@ agent's stages stand for 9, 14 and 19 months.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 from math import inf
 from typing import NamedTuple
 
-from prospect_mj.experiment.paper.bands import Floats, interval
+from prospect_mj.experiment.paper.bootstrap import Floats, interval
 from prospect_mj.experiment.paper.sample import Sample, estimate
 from prospect_mj.experiment.paper.stages import Shares, Stages
 from prospect_mj.experiment.paper.statements import EARLY_FIRST
-from prospect_mj.experiment.paper.target import Target, Verdict
-
-
-class Same(StrEnum):
-    """Whether an order is that of infants."""
-
-    YES = "yes"
-    NO = "no"
-    OPEN = "undecided"
+from prospect_mj.experiment.paper.target import Target, Verdict, agreed
 
 
 @dataclass(frozen=True)
@@ -34,7 +25,8 @@ class Order:
     """What the paper tells of them."""
     rule: str
     """What counts as the same."""
-    same: Same
+    verdict: Verdict
+    """Whether it holds of the agent."""
 
 
 class _Ages(NamedTuple):
@@ -52,6 +44,7 @@ _MORE = Target(0.0, inf, "more")
 _RARE = Target(0.0, 1 / 3, "a third at most")
 _HALF = Target(0.4, 0.6, "40 to 60 %")
 _STRONG = Target(2 / 3, 1.0, "two thirds or more")
+_UNNECESSARY = Target(0.0, 0.05, "5 % at most")
 _MOST = Target(0.5, 1.0, "over a half")
 _LATE_FIRST = Target(-inf, -1.0, "late first: by a set or more")
 
@@ -63,6 +56,7 @@ _GRIPS: Sequence[_Condition] = (
 _PREFERENCES: Sequence[_Condition] = (
     (lambda ages: ages.beginning.preference, _HALF),
     (lambda ages: ages.height.preference, _STRONG),
+    (lambda ages: ages.end.early + ages.end.late, _UNNECESSARY),
 )
 _EASY: Sequence[_Condition] = (
     (lambda ages: 1 - ages.beginning.easy_nonradial, _MOST),
@@ -90,7 +84,8 @@ def orders(sample: Sample, stages: Stages) -> list[Order]:
             "as many early as late corrections at 9 months; early ones strongly "
             "preferred at 14; corrections not necessary at 19",
             "early ones are 40 to 60 % of the corrections at the first stage, and two "
-            "thirds or more at the second",
+            "thirds or more at the second; at the last 5 % at most of the difficult "
+            "trials have a correction",
             _all(stages, _PREFERENCES),
         ),
         Order(
@@ -107,7 +102,7 @@ def orders(sample: Sample, stages: Stages) -> list[Order]:
     ]
 
 
-def _all(stages: Stages, conditions: Sequence[_Condition]) -> Same:
+def _all(stages: Stages, conditions: Sequence[_Condition]) -> Verdict:
     """Whether all conditions hold, or one does not."""
     once = _Ages(*(stage.mean for stage in stages))
     many = _Ages(*(stage.resampled for stage in stages))
@@ -116,14 +111,12 @@ def _all(stages: Stages, conditions: Sequence[_Condition]) -> Same:
         for measure, target in conditions
     }
     if Verdict.FAILS in verdicts:
-        return Same.NO
-    return Same.YES if verdicts == {Verdict.HOLDS} else Same.OPEN
+        return Verdict.FAILS
+    return agreed(verdicts)
 
 
-def _late_first(sample: Sample) -> Same:
-    """What both measures say; undecided where they differ."""
-    verdicts = {
+def _late_first(sample: Sample) -> Verdict:
+    """What both measures say."""
+    return agreed(
         _LATE_FIRST.verdict(estimate(said.measure, sample)) for said in EARLY_FIRST
-    }
-    answers = {Verdict.HOLDS: Same.YES, Verdict.FAILS: Same.NO}
-    return answers.get(verdicts.pop(), Same.OPEN) if len(verdicts) == 1 else Same.OPEN
+    )

@@ -1,12 +1,11 @@
 """The learner on a graph of outcomes, compiled: whole runs, trial after trial.
 
 It does what `agent.LinearQ` does, given the same random numbers, to the last bit: early
-on, many actions are of equal value, and a tie that is rounded away is another action.
-It does less: the picture stays the same for a whole trial, so that an action's value is
-computed anew only when its weights have changed.
+on, many values are equal, and a tie that is rounded away is another action. The picture
+stays for a whole trial: a value is computed anew when its weights have changed.
 
-Everything compiled is in this file, as numba's cache doesn't see changes in others;
-`compiled_learner` is the way in.
+Everything compiled is in this file, as numba's cache doesn't see changes in others, and
+is kept where the planner's code is. `compiled_learner` is the way in.
 """
 
 from typing import NamedTuple
@@ -16,6 +15,9 @@ from numba import njit
 from numpy.typing import NDArray
 
 from prospect_mj.agent.features import N_BINS
+from prospect_mj.planning import kernel_cache
+
+kernel_cache.use()
 
 Floats = NDArray[np.float64]
 
@@ -156,7 +158,7 @@ def _run_trial(
 def _choose(
     values: Floats, allowed: NDArray[np.bool_], epsilon: float, draw: Floats
 ) -> int:
-    """The action that `LinearQ.choose` takes; -1 if there is none, but NaN."""
+    """The action that `LinearQ.choose` takes; -1 where the values are NaN."""
     explored, best = draw[0] < epsilon, _largest(values, allowed)
     n_candidates = 0
     for action in range(N_ACTIONS):
@@ -219,32 +221,30 @@ def _product(memory: Memory, action: int, holding: int) -> float:
     NumPy adds 303 numbers pairwise, down to four parts; within a part in eight lanes,
     and the seven that are left over in the last one at the end.
     """
-    weights, features = memory.weights[action], memory.features[holding]
+    theta, phi = memory.weights[action], memory.features[holding]
     busy = memory.busy[holding]
-    first = _lanes(weights, features, *PARTS[0], busy[0])
-    second = _lanes(weights, features, *PARTS[1], busy[1])
-    third = _lanes(weights, features, *PARTS[2], busy[2])
-    fourth = _lanes(weights, features, *PARTS[3], busy[3])
+    first = _lanes(theta, phi, *PARTS[0], busy[0])
+    second = _lanes(theta, phi, *PARTS[1], busy[1])
+    third = _lanes(theta, phi, *PARTS[2], busy[2])
+    fourth = _lanes(theta, phi, *PARTS[3], busy[3])
     for index in range(*PARTS[4]):
-        fourth += weights[index] * features[index]
+        fourth += theta[index] * phi[index]
     return (first + second) + (third + fourth)
 
 
 @njit(nogil=True, cache=True)
-def _lanes(
-    weights: Floats, features: Floats, begin: int, end: int, busy: bool
-) -> float:
+def _lanes(theta: Floats, phi: Floats, begin: int, end: int, busy: bool) -> float:
     """Eight sums side by side, added up at the end."""
     if not busy:
         return 0.0
     s0 = s1 = s2 = s3 = s4 = s5 = s6 = s7 = 0.0
     for i in range(begin, end, 8):
-        s0 += weights[i] * features[i]
-        s1 += weights[i + 1] * features[i + 1]
-        s2 += weights[i + 2] * features[i + 2]
-        s3 += weights[i + 3] * features[i + 3]
-        s4 += weights[i + 4] * features[i + 4]
-        s5 += weights[i + 5] * features[i + 5]
-        s6 += weights[i + 6] * features[i + 6]
-        s7 += weights[i + 7] * features[i + 7]
+        s0 += theta[i] * phi[i]
+        s1 += theta[i + 1] * phi[i + 1]
+        s2 += theta[i + 2] * phi[i + 2]
+        s3 += theta[i + 3] * phi[i + 3]
+        s4 += theta[i + 4] * phi[i + 4]
+        s5 += theta[i + 5] * phi[i + 5]
+        s6 += theta[i + 6] * phi[i + 6]
+        s7 += theta[i + 7] * phi[i + 7]
     return ((s0 + s1) + (s2 + s3)) + ((s4 + s5) + (s6 + s7))

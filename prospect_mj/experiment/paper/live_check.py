@@ -11,26 +11,17 @@ instance Montiel Olea and Plagborg-Moller, Journal of Applied Econometrics 34, 2
 live runs were of the same kind, their mean would leave it anywhere in 5 % of studies.
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
-from pyarrow.lib import ArrowException
 
-from prospect_mj import tables
-from prospect_mj.errors import ForeignTable, RunFolderError
-from prospect_mj.experiment import fingerprint
-from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.learning_curve import BLOCK
-from prospect_mj.experiment.paper.bands import LEVEL, RESAMPLES, Floats, in_sets
+from prospect_mj.experiment.paper.bootstrap import LEVEL, RESAMPLES, Floats
+from prospect_mj.experiment.paper.curves import in_sets
+from prospect_mj.experiment.paper.live_folders import FoundRuns
 from prospect_mj.experiment.paper.population import Population
-from prospect_mj.experiment.paper.scenario import PopulationSettings
-from prospect_mj.experiment.records import TRIAL_SCHEMA
-from prospect_mj.experiment.run_folder import CONFIG, TRIALS, read_config
-from prospect_mj.recording.key import RecordingKey
 
 SCHEMA = pa.schema(
     {
@@ -44,28 +35,54 @@ SCHEMA = pa.schema(
 """A set of ten trials: its first trial, mean actions of the live runs, of all recorded
 runs, the simultaneous band of means of as many recorded runs."""
 
-_LEARNING = (
-    "supervisor",
-    "shaping",
-    "max_actions",
-    "bootstrap_at_truncation",
-    "features",
-    "learner",
-)
-"""Settings that training and populations have in common."""
-_FIXED = {"image_noise": 0.0, "presentations": None}
-"""What in training can't be set."""
-_PHYSICS = ("object_pose", "gross_motion", "grid_cells")
+EXPECTED = 20
+"""Live runs. The band of fewer is so wide that to be inside says little."""
 
 
 @dataclass(frozen=True)
-class FoundRuns:
-    """What was found of live runs."""
+class Band:
+    """What the mean of so many curves is like, from n means of them."""
 
-    n_actions: NDArray[np.int64]
-    """(runs, trials) [actions] of the complete ones."""
-    unfinished: int
-    """Runs that have too few trials yet."""
+    centre: Floats
+    """(s,), mean of the means."""
+    spread: Floats
+    """(s,), their standard deviation."""
+    largest: Floats
+    """(n,), how far each is from `centre` in the set where it is farthest [standard
+    deviations]."""
+
+    @property
+    def reach(self) -> float:
+        """How far the band reaches to either side [standard deviations]."""
+        return float(np.quantile(self.largest, LEVEL))
+
+    @property
+    def bounds(self) -> Floats:
+        """(2, s), lower and upper ones."""
+        return self.centre + np.outer([-self.reach, self.reach], self.spread)
+
+    def p_value(self, deviation: float) -> float:
+        """Chance that a mean of such curves is as far away, or farther.
+
+        The mean in question counts as one of them (Davison and Hinkley, Bootstrap
+        Methods and their Application, 1997, section 4.2), so that it is never zero.
+        """
+        as_far = np.count_nonzero(self.largest >= deviation)
+        return (1 + as_far) / (1 + len(self.largest))
+
+
+@dataclass(frozen=True)
+class Deviation:
+    """How far the mean of live runs is from recorded ones."""
+
+    inside: float
+    """Share of sets in which it is inside of the band."""
+    largest: float
+    """In the set where it is farthest away [standard deviations of such means]."""
+    reach: float
+    """How far the band reaches [standard deviations of such means]."""
+    p_value: float
+    """Chance that so many recorded runs are as far away, or farther."""
 
 
 @dataclass(frozen=True)
@@ -78,41 +95,20 @@ class LiveCheck:
     """Live runs compared."""
     unfinished: int
     """Live runs left out, as they have too few trials yet."""
-    inside: float
-    """Share of sets in which the live mean is inside of the band."""
+    deviation: Deviation | None
+    """None without a run to compare."""
 
     @property
-    def agrees(self) -> bool:
-        """Whether it is so in all of them."""
-        return self.inside == 1.0
+    def not_begun(self) -> int:
+        """Live runs that are still missing."""
+        return max(EXPECTED - self.runs - self.unfinished, 0)
 
-
-def read_live(
-    folder: Path, trials: int, settings: PopulationSettings, physics: RecordingKey
-) -> FoundRuns:
-    """Read what there is of live runs.
-
-    Args:
-        folder: of run folders; others in it are left alone.
-        trials: what a run must have to count, the first so many are used.
-        settings: of the recorded population; live runs must have the same.
-        physics: what was recorded; the same.
-
-    Raises:
-        RunFolderError: if there is no run, one is damaged, has other settings, sources
-            or models, or the same seed as another.
-    """
-    paths = sorted(path.parent for path in folder.glob(f"*/{CONFIG}"))
-    if not paths:
-        raise RunFolderError(f"{folder} has no run folder in it")
-    configs = {path: read_config(path) for path in paths}
-    for path, config in configs.items():
-        _check_same(path, config, settings, physics)
-    _check_seeds(configs)
-    runs = [_n_actions(path, config) for path, config in configs.items()]
-    complete = [run[:trials] for run in runs if len(run) >= trials]
-    stacked = np.array(complete, np.int64).reshape(-1, trials)
-    return FoundRuns(stacked, len(runs) - len(complete))
+    @property
+    def agrees(self) -> bool | None:
+        """Whether the mean is inside of the band everywhere; None with too few runs."""
+        if self.deviation is None or self.runs < EXPECTED:
+            return None
+        return self.deviation.largest <= self.deviation.reach
 
 
 def check(live: FoundRuns, recorded: Population, rng: np.random.Generator) -> LiveCheck:
@@ -123,92 +119,60 @@ def check(live: FoundRuns, recorded: Population, rng: np.random.Generator) -> Li
         recorded: learners of the same scenario and settings.
         rng: for resampling.
     """
-    if not len(live.n_actions):
-        return LiveCheck(SCHEMA.empty_table(), 0, live.unfinished, 0.0)
-    of_runs = in_sets(recorded.n_actions).mean(axis=2)
-    low, high = simultaneous_band(of_runs, len(live.n_actions), rng)
-    mean = in_sets(live.n_actions).mean(axis=(0, 2))
-    columns = {
-        "trial": BLOCK * np.arange(len(mean)),
-        "live": mean,
-        "recorded": of_runs.mean(axis=0),
-        "low": low,
-        "high": high,
-    }
-    inside = float(np.mean((low <= mean) & (mean <= high)))
-    made = pa.table(columns, schema=SCHEMA)
-    return LiveCheck(made, len(live.n_actions), live.unfinished, inside)
+    n_runs = len(live.n_actions)
+    if not n_runs:
+        return LiveCheck(SCHEMA.empty_table(), 0, live.unfinished, None)
+    # Whole numbers of actions: sums of them are exact, and equal where they should be.
+    curves = _actions_per_set(recorded.n_actions)
+    band = band_of_sums(curves, n_runs, rng)
+    total = _actions_per_set(live.n_actions).sum(axis=0)
+    deviations = scaled(total, band.centre, band.spread)
+    table = _table(total, curves, band, n_runs)
+    largest = float(deviations.max())
+    inside = float(np.mean(deviations <= band.reach))
+    deviation = Deviation(inside, largest, band.reach, band.p_value(largest))
+    return LiveCheck(table, n_runs, live.unfinished, deviation)
 
 
-def simultaneous_band(
+def band_of_sums(
     curves: Floats, size: int, rng: np.random.Generator, n: int = RESAMPLES
-) -> Floats:
-    """Band that the mean of some curves stays within as a whole; see the module.
+) -> Band:
+    """What sums of some of the curves are like; see the module.
 
     Args:
         curves: (runs, s).
-        size: curves per mean.
+        size: curves per sum.
         rng: draws them.
-        n: number of means.
-
-    Returns:
-        (2, s), lower and upper bounds.
+        n: number of sums.
     """
     drawn = rng.integers(len(curves), size=(n, size))
-    means = np.stack([curves[rows].mean(axis=0) for rows in drawn])
-    centre, deviation = means.mean(axis=0), means.std(axis=0)
-    # Where all curves agree there is no deviation, and the band has no width.
-    scaled = np.abs(means - centre) / np.where(deviation > 0, deviation, 1.0)
-    factor = np.quantile(scaled.max(axis=1), LEVEL)
-    return centre + np.outer([-factor, factor], deviation)
+    sums = np.stack([curves[rows].sum(axis=0) for rows in drawn])
+    centre, spread = sums.mean(axis=0), sums.std(axis=0)
+    return Band(centre, spread, scaled(sums, centre, spread).max(axis=1))
 
 
-def _check_same(
-    path: Path,
-    config: TrainConfig,
-    settings: PopulationSettings,
-    physics: RecordingKey,
-) -> None:
-    """Refuse a run that no population is like, or that saw other physics."""
-    pairs = [(n, getattr(config, n), getattr(settings, n)) for n in _LEARNING]
-    pairs += [(n, value, getattr(settings, n)) for n, value in _FIXED.items()]
-    pairs += [(n, getattr(config, n), getattr(physics.config, n)) for n in _PHYSICS]
-    pairs += [("physics", config.physics, "live"), ("pretrain", config.pretrain, 0)]
-    for name, found, wanted in pairs:
-        if found != wanted:
-            raise RunFolderError(
-                f"{path} can't be compared: its {name.replace('_', ' ')} is {found}, "
-                f"not {wanted}"
-            )
-    digests = fingerprint.digests(config)
-    for name, recorded in physics.sha256.items():
-        if digests.get(name) != recorded:
-            raise RunFolderError(
-                f"{path} can't be compared: {name} changed between the recording and it"
-            )
+def scaled(values: Floats, centre: Floats, spread: Floats) -> Floats:
+    """|values - centre| / spread; without any spread 0 where they are equal, or inf."""
+    away = np.abs(values - centre)
+    alone = np.where(away > 0, np.inf, 0.0)
+    return np.divide(away, spread, out=alone, where=spread > 0)
 
 
-def _check_seeds(configs: Mapping[Path, TrainConfig]) -> None:
-    """Refuse a run that is there twice, as a copied folder is."""
-    first: dict[int, Path] = {}
-    for path, config in configs.items():
-        if config.seed in first:
-            raise RunFolderError(
-                f"{path} can't be compared: it has the seed of "
-                f"{first[config.seed].name}, {config.seed}"
-            )
-        first[config.seed] = path
+def _actions_per_set(n_actions: NDArray[np.integer]) -> NDArray[np.int64]:
+    """(runs, sets) from (runs, trials)."""
+    return in_sets(n_actions).sum(axis=2, dtype=np.int64)
 
 
-def _n_actions(path: Path, config: TrainConfig) -> NDArray[np.int64]:
-    """Actions per trial of a run, as far as it has come."""
-    file = path / TRIALS
-    if not file.exists():
-        return np.empty(0, np.int64)
-    try:
-        trials = tables.read(file, TRIAL_SCHEMA, fingerprint.origin(config), "run")
-    except ForeignTable as error:
-        raise RunFolderError(str(error)) from error
-    except (OSError, ValueError, ArrowException) as error:
-        raise RunFolderError(f"{file} can't be read: it is damaged") from error
-    return trials["n_actions"].to_numpy().astype(np.int64)
+def _table(
+    total: NDArray[np.int64], curves: NDArray[np.int64], band: Band, n_runs: int
+) -> pa.Table:
+    """All means per trial."""
+    low, high = band.bounds / (n_runs * BLOCK)
+    columns = {
+        "trial": BLOCK * np.arange(len(total)),
+        "live": total / (n_runs * BLOCK),
+        "recorded": curves.mean(axis=0) / BLOCK,
+        "low": low,
+        "high": high,
+    }
+    return pa.table(columns, schema=SCHEMA)

@@ -8,14 +8,20 @@ definition. Those of corrections are in `corrections`.
 
 import numpy as np
 
-from prospect_mj.experiment.learning_curve import BLOCK, NEAR_OPTIMAL
-from prospect_mj.experiment.paper.bands import Curves, Floats, mean_of_sets
+from prospect_mj.experiment.learning_curve import BLOCK, NEAR_OPTIMAL, settled
+from prospect_mj.experiment.paper.bootstrap import Floats
+from prospect_mj.experiment.paper.curves import (
+    SMOOTHED,
+    Curves,
+    mean_of_sets,
+    moving_means,
+)
 from prospect_mj.experiment.paper.sample import Pair
 from prospect_mj.experiment.paper.strategies import Strategy
 
 RATE_LEVELS = (5.0, 3.0)
 """Mean actions between which the rate of learning is taken."""
-_SOON, _LONG = 3, 10
+_LONG = 10
 
 
 def near_optimal(pair: Pair) -> Floats:
@@ -44,13 +50,13 @@ def first_unsolved(pair: Pair) -> Floats:
     return pair.baseline.unsolved[:, 0]
 
 
-def peak_after_switch(pair: Pair) -> Floats:
-    """Peak after the pretraining.
+def actions_after_switch(pair: Pair) -> Floats:
+    """Right after the pretraining.
 
-    The largest mean number of actions over all runs of a set of ten among the first
-    thirty trials after the pretraining.
+    The mean number of actions over all runs in the first ten trials after the
+    pretraining.
     """
-    return _after(pair.dominant)[:, :_SOON].max(axis=1)
+    return _after(pair.dominant)[:, 0]
 
 
 def relearning_ratio(pair: Pair) -> Floats:
@@ -65,8 +71,9 @@ def relearning_ratio(pair: Pair) -> Floats:
 def fall_ratio(pair: Pair) -> Floats:
     """Time from five to three actions, relative.
 
-    Trials in which the mean over all runs of sets of ten falls for good from five to
-    three actions after the pretraining, divided by the same without a dominant hand.
+    Trials in which the mean over all runs falls for good from five to three actions
+    after the pretraining, on straight lines from set of ten to set of ten, divided by
+    the same without a dominant hand.
     """
     return _ratio(*map(_fall, _with_random_sides(pair)))
 
@@ -75,34 +82,33 @@ def easy_drop(pair: Pair) -> Floats:
     """Drop of the optimal strategy on easy trials.
 
     The share of easy trials with the optimal strategy in the last hundred trials of the
-    pretraining, minus the smallest such share of a set of ten after it.
+    pretraining, minus the smallest mean of such shares of five successive sets of ten
+    after it.
     """
-    optimal, switch = _easy_optimal(pair), pair.dominant.switch
-    before = mean_of_sets(optimal[:, :switch][:, -_LONG:])
-    return before - np.fmin.reduce(optimal[:, switch:], axis=1)
+    before = _easy_optimal(pair)[:, : pair.dominant.switch]
+    return mean_of_sets(before[:, -_LONG:]) - np.fmin.reduce(_easy_after(pair), axis=1)
 
 
 def easy_low_trial(pair: Pair) -> Floats:
     """Place of that drop.
 
-    The first trial of the set of ten, after the pretraining, with the smallest share of
-    the optimal strategy on easy trials.
+    The middle of the five successive sets of ten, after the pretraining, with the
+    smallest mean share of the optimal strategy on easy trials.
     """
-    switch = pair.dominant.switch
-    lowest = np.nanargmin(_easy_optimal(pair)[:, switch:], axis=1)
-    return BLOCK * (switch + lowest).astype(np.float64)
+    lowest = np.nanargmin(_easy_after(pair), axis=1)
+    n_after = _easy_optimal(pair).shape[1] - pair.dominant.switch
+    return BLOCK * (pair.dominant.switch + lowest + min(SMOOTHED, n_after) / 2)
 
 
 def easy_regained(pair: Pair) -> Floats:
     """Part of that drop that was regained.
 
-    The rise of the share of the optimal strategy on easy trials from its lowest set
-    after the pretraining to the mean of the last hundred trials, divided by the drop;
-    none without a drop.
+    The rise of the share of the optimal strategy on easy trials from its lowest five
+    sets after the pretraining to the mean of the last hundred trials, divided by the
+    drop; none without a drop.
     """
-    optimal = _easy_optimal(pair)[:, pair.dominant.switch :]
-    last = mean_of_sets(optimal[:, -_LONG:])
-    return _ratio(last - np.fmin.reduce(optimal, axis=1), easy_drop(pair))
+    last = mean_of_sets(_easy_optimal(pair)[:, pair.dominant.switch :][:, -_LONG:])
+    return _ratio(last - np.fmin.reduce(_easy_after(pair), axis=1), easy_drop(pair))
 
 
 def last_actions(pair: Pair) -> Floats:
@@ -112,19 +118,6 @@ def last_actions(pair: Pair) -> Floats:
     dominant hand.
     """
     return pair.baseline.actions[:, -_LONG:].mean(axis=1)
-
-
-def settled(curves: Floats, level: float | Floats) -> Floats:
-    """First set from which on curves (b, s) stay at or below a level; (b,) [sets].
-
-    With level 2.4 the same as `learning_curve.near_optimal_trial` without smoothing,
-    which the means of so many runs don't need. A set that is NaN is passed over.
-    """
-    above = curves > level
-    n_sets = above.shape[1]
-    after_last = n_sets - above[:, ::-1].argmax(axis=1)
-    first = np.where(above.any(axis=1), after_last, 0)
-    return np.where(first < n_sets, first, np.inf)
 
 
 def _before(curves: Curves) -> Floats:
@@ -141,14 +134,32 @@ def _with_random_sides(pair: Pair) -> tuple[Floats, Floats]:
 
 
 def _fall(actions: Floats) -> Floats:
-    """Sets from where curves (b, s) settle at the upper level to the lower one."""
-    upper, lower = (settled(actions, level) for level in RATE_LEVELS)
+    """Sets from where curves (b, s) cross the upper level for good to the lower one."""
+    upper, lower = (_crossing(actions, level) for level in RATE_LEVELS)
     reached = np.isfinite(lower)
     return np.where(reached, lower - np.where(reached, upper, 0.0), np.inf)
 
 
+def _crossing(curves: Floats, level: float) -> Floats:
+    """Where curves (b, s) fall to a level for good (b,) [sets], between sets too."""
+    first = settled(curves, level)
+    inside = np.isfinite(first) & (first > 0)
+    ends = np.where(inside, first, 1).astype(np.intp)
+    above, below = (
+        np.take_along_axis(curves, at[:, None], axis=1)[:, 0] for at in (ends - 1, ends)
+    )
+    with np.errstate(invalid="ignore", divide="ignore"):
+        part = (above - level) / (above - below)
+    return np.where(inside, first - 1 + part, first)
+
+
 def _easy_optimal(pair: Pair) -> Floats:
     return pair.dominant.easy[:, Strategy.OPTIMAL]
+
+
+def _easy_after(pair: Pair) -> Floats:
+    """Moving means of it (b, s) after the pretraining."""
+    return moving_means(_easy_optimal(pair)[:, pair.dominant.switch :])
 
 
 def _ratio(value: Floats, reference: Floats) -> Floats:

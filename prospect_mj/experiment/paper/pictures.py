@@ -6,15 +6,16 @@ from typing import NamedTuple
 import numpy as np
 import pyarrow as pa
 
-from prospect_mj.experiment.paper import figures
-from prospect_mj.experiment.paper.bands import Floats
+from prospect_mj.experiment.paper import captions, figures, strategy_figure
+from prospect_mj.experiment.paper.bootstrap import LEVEL, Floats
+from prospect_mj.experiment.paper.figure_frame import Heading
 from prospect_mj.experiment.paper.figure_tables import actions_table, strategy_table
-from prospect_mj.experiment.paper.figures import Heading, Mark
+from prospect_mj.experiment.paper.figures import Mark
 from prospect_mj.experiment.paper.live_check import LiveCheck
 from prospect_mj.experiment.paper.optimum import BySide, Optimum
-from prospect_mj.experiment.paper.report import LIVE
-from prospect_mj.experiment.paper.reproduce_config import PRETRAIN, ReproduceConfig
+from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
 from prospect_mj.experiment.paper.sample import Sample
+from prospect_mj.experiment.paper.scenario import Scenario
 
 
 class Picture(NamedTuple):
@@ -32,66 +33,79 @@ def published(
 
     Args:
         sample: both scenarios.
-        optimum: the best possible; pretraining shows the dominant side only.
+        optimum: the best possible.
         config: size of the reproduction.
         cap: where trials are cut off [actions].
     """
-    of = f"mean of {config.runs} runs in sets of ten trials, 95 % band"
+    _, scenario = config.scenarios
+    band = f"{100 * LEVEL:.0f} % band over runs"
+    of = f"mean of {config.runs} runs in sets of ten trials, with its {band}"
     yield _figure_5a(sample, optimum, of, cap)
-    yield _figure_5b(sample, optimum, of, cap)
-    yield from _figures_6(sample, optimum.optimal, of)
+    yield _figure_5b(sample, optimum, scenario, of, cap)
+    yield from _figures_6(sample, optimum.optimal, scenario, of)
 
 
 def live(check: LiveCheck, optimum: Optimum, cap: int) -> Picture:
     """Live runs on the band of recorded ones."""
-    heading = Heading("Live physics against recorded", "means in sets of ten trials")
+    of = "mean actions in sets of ten trials without a dominant hand"
+    heading = Heading(captions.TITLES[captions.LIVE], of)
     png = figures.live(check.table, heading, cap, optimum.actions.mean, check.runs)
-    return Picture(LIVE, check.table, png)
+    return Picture(captions.LIVE, check.table, png)
 
 
 def _figure_5a(sample: Sample, optimum: Optimum, of: str, cap: int) -> Picture:
     mean, many = sample.mean.baseline, sample.resampled.baseline
-    table = actions_table(
-        mean, many, np.full(mean.actions.shape[1], optimum.actions.mean)
-    )
-    heading = Heading("Actions per trial without a dominant hand (figure 5a)", of)
-    marks = [Mark(650, 2.4, "near-optimal at about 650")]
-    return Picture("figure_5a", table, figures.actions(table, heading, cap, marks))
+    best = np.full(mean.actions.shape[1], optimum.actions.mean)
+    table = actions_table(mean, many, best)
+    name = captions.FIGURE_5A
+    marks = [Mark(650, "paper: nearly optimal\nafter about 650 trials")]
+    heading = Heading(_title(name), of)
+    png = figures.actions(table, heading, cap, marks, optimum.exploring.mean)
+    return Picture(name, table, png)
 
 
-def _figure_5b(sample: Sample, optimum: Optimum, of: str, cap: int) -> Picture:
+def _figure_5b(
+    sample: Sample, optimum: Optimum, scenario: Scenario, of: str, cap: int
+) -> Picture:
     mean, many = sample.mean.dominant, sample.resampled.dominant
-    table = actions_table(
-        mean, many, _optima(optimum.actions, mean.switch, mean.actions)
-    )
-    title = "Actions per trial with a dominant hand (figure 5b)"
-    heading = Heading(title, of, PRETRAIN)
+    best = _optima(optimum.actions, scenario, mean.switch, mean.actions.shape[1])
+    table = actions_table(mean, many, best)
+    name, pretrain = captions.FIGURE_5B, scenario.pretrain
     marks = [
-        Mark(250, 2.4, "about 250", (-26, -40)),
-        Mark(PRETRAIN, 6.0, "over six"),
+        Mark(250, "paper: approached\noptimality after\nabout 250 trials"),
+        Mark(pretrain, "paper: over six", 6.0),
     ]
-    return Picture("figure_5b", table, figures.actions(table, heading, cap, marks))
+    heading = Heading(_title(name), of, pretrain)
+    png = figures.actions(table, heading, cap, marks, optimum.exploring.mean)
+    return Picture(name, table, png)
 
 
-def _figures_6(sample: Sample, best: BySide, of: str) -> Iterator[Picture]:
+def _figures_6(
+    sample: Sample, best: BySide, scenario: Scenario, of: str
+) -> Iterator[Picture]:
     mean, many = sample.mean.dominant, sample.resampled.dominant
-    # The right hand is the dominant one.
-    for letter, word, tables, shaded in (
-        ("a", "easy", (mean.easy, many.easy, best.right), "all trials easy"),
-        (
-            "b",
-            "difficult",
-            (mean.difficult, many.difficult, best.left),
-            "no such trials",
-        ),
+    easy, difficult = _easy_and_difficult(best, scenario)
+    for name, trials, tables in (
+        (captions.FIGURE_6A, "easy", (mean.easy, many.easy, easy)),
+        (captions.FIGURE_6B, "difficult", (mean.difficult, many.difficult, difficult)),
     ):
         table = strategy_table(*tables)
-        title = f"Strategies in {word} trials (figure 6{letter})"
-        heading = Heading(title, of, PRETRAIN, f"pretraining: {shaded}")
-        yield Picture(f"figure_6{letter}", table, figures.strategies(table, heading))
+        heading = Heading(_title(name), of, scenario.pretrain)
+        yield Picture(name, table, strategy_figure.strategies(table, heading, trials))
 
 
-def _optima(optimum: BySide, switch: int, actions: Floats) -> Floats:
-    """The best possible mean of each set; the dominant hand is the right one."""
-    n_sets = actions.shape[1]
-    return np.where(np.arange(n_sets) < switch, optimum.right, optimum.mean)
+def _title(name: str) -> str:
+    """A figure's title, with its number in the paper."""
+    return f"{captions.TITLES[name]} ({captions.words(name)})"
+
+
+def _optima(optimum: BySide, scenario: Scenario, switch: int, n_sets: int) -> Floats:
+    """The best possible mean of each set; all trials of the pretraining are easy."""
+    easy, _ = _easy_and_difficult(optimum, scenario)
+    return np.where(np.arange(n_sets) < switch, easy, optimum.mean)
+
+
+def _easy_and_difficult(best: BySide, scenario: Scenario) -> tuple[float, float]:
+    """The best possible where the lid is on the dominant hand's side, and elsewhere."""
+    sides = best.left, best.right
+    return sides if scenario.dominant == "left" else sides[::-1]

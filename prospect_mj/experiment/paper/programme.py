@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from prospect_mj.agent import LinearQ
 from prospect_mj.agent.features import StateFeatureGenerator
-from prospect_mj.errors import RecordingError
 from prospect_mj.experiment.paper.kernel import Trials
 from prospect_mj.experiment.paper.outcome_graph import HANDS, phases, recorded_graph
 from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
@@ -31,8 +30,8 @@ class Run(NamedTuple):
 
     lid: NDArray[np.int8]
     """(n_trials,), side of the lid, LEFT or RIGHT."""
-    counts: NDArray[np.float64]
-    """(n_images, 100), the histograms of `trials.image` before they are scaled."""
+    histograms: NDArray[np.float64]
+    """(n_images, 100), those of `trials.image` before they are scaled."""
     trials: Trials
     """What is presented, and the learner's random numbers."""
     weights: NDArray[np.float64]
@@ -61,7 +60,7 @@ class Programme:
         """Find the presentations that are complete, and scale their histograms.
 
         Raises:
-            RecordingError: if there are too few for a side of the lid.
+            RecordingError: if there is none for a side of the lid.
         """
         self.recording, self.settings = recording, settings
         self._scenario = scenario
@@ -70,8 +69,8 @@ class Programme:
         self.generator = StateFeatureGenerator(settings.features)
         self._phase = phases(self.supervisor, scenario.trials)
         self._shown = _shown(recording, settings)
-        self._counts = recording.presentations.histogram.astype(np.float64)
-        self._visual = self._scaled(self._counts)
+        self._histograms = recording.presentations.histogram.astype(np.float64)
+        self._visual = self._scaled(self._histograms)
 
     def run(self, number: int) -> Run:
         """Run `number` of the population, from 0."""
@@ -79,13 +78,16 @@ class Programme:
         dominant = ORIENTATIONS.index(scenario.dominant)
         key = _RUNS, scenario.pretrain, dominant, number
         seed = np.random.SeedSequence(self.settings.seed, spawn_key=key)
-        presents, draws, begins, noise = map(np.random.default_rng, seed.spawn(4))
+        rngs = map(np.random.default_rng, seed.spawn(5))
+        presents, draws, weights_rng, noise, picked = rngs
         lid, shown = self._presented(presents)
-        image, counts, visual = shown, self._counts, self._visual
+        image, histograms, visual = shown, self._histograms, self._visual
+        if self.settings.pictures == "one_per_side":
+            image = self._one_per_side(lid, picked)
         if self.settings.image_noise:
+            histograms = self._noisy(visual[image], noise)
+            visual = self._scaled(histograms)
             image = np.arange(len(shown), dtype=np.int32)
-            counts = self._noisy(self._visual[shown], noise)
-            visual = self._scaled(counts)
         n_trials, max_actions = len(lid), self.settings.max_actions
         trials = Trials(
             root=self.recording.presentations.root[shown],
@@ -94,8 +96,8 @@ class Programme:
             phase=self._phase,
             draws=draws.random((n_trials, max_actions, 2)),
         )
-        weights = LinearQ(self.settings.learner, rng=begins).weights
-        return Run(lid, counts, trials, weights)
+        weights = LinearQ(self.settings.learner, rng=weights_rng).weights
+        return Run(lid, histograms, trials, weights)
 
     def _presented(
         self, rng: np.random.Generator
@@ -112,28 +114,29 @@ class Programme:
             shown[of_side] = numbers[drawn]
         return lid, shown
 
+    def _one_per_side(
+        self, lid: NDArray[np.int8], rng: np.random.Generator
+    ) -> NDArray[np.int32]:
+        """(n_trials,): the presentation whose picture is shown."""
+        image = np.empty(len(lid), np.int32)
+        for side, numbers in self._shown.items():
+            image[lid == side] = rng.choice(numbers)
+        return image
+
     def _noisy(
         self, visual: NDArray[np.float64], rng: np.random.Generator
     ) -> NDArray[np.float64]:
         noise = rng.normal(0.0, self.settings.image_noise, visual.shape)
         return np.maximum(visual + noise, 0.0)
 
-    def _scaled(self, counts: NDArray[np.float64]) -> NDArray[np.float64]:
-        return np.stack([self.generator.scaled_histogram(row) for row in counts])
+    def _scaled(self, histograms: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.stack([self.generator.scaled_histogram(row) for row in histograms])
 
 
 def _shown(
     recording: Recording, settings: PopulationSettings
 ) -> dict[int, NDArray[np.intp]]:
-    """Numbers of the presentations that may be shown, for each side of the lid."""
+    """Numbers of the complete presentations for each side of the lid."""
     complete = recording.complete(settings.max_actions)
-    lids, most = recording.presentations.lid[complete], settings.presentations
-    shown = {side: complete[lids == side][:most] for side in HANDS}
-    for side, orientation in zip(HANDS, ORIENTATIONS, strict=True):
-        if most is not None and len(shown[side]) < most:
-            raise RecordingError(
-                f"the recording has {len(shown[side])} presentations with the lid to "
-                f"the {orientation} that are complete to {settings.max_actions} "
-                f"executed actions, not {most}"
-            )
-    return shown
+    lids = recording.presentations.lid[complete]
+    return {side: complete[lids == side] for side in HANDS}

@@ -3,7 +3,7 @@
 from enum import StrEnum
 from math import inf, isinf, isnan
 
-from prospect_mj.experiment.paper.bands import LEVEL, Interval
+from prospect_mj.experiment.paper.bootstrap import LEVEL, Interval
 
 
 class Kind(StrEnum):
@@ -25,12 +25,11 @@ def number(value: float, kind: Kind) -> str:
         return _never(value, kind)
     match kind:
         case Kind.TRIAL | Kind.LAG:
-            return f"{value:.0f}"
+            return _rounded(value, 0)
         case Kind.SHARE:
-            # Zero is added so that nothing is written as minus zero.
-            return f"{round(100 * value, 1) + 0.0:.1f} %"
+            return f"{_rounded(100 * value, 1)} %"
         case _:
-            return f"{value:.2f}"
+            return _rounded(value, 2)
 
 
 def with_interval(measured: Interval, kind: Kind) -> str:
@@ -42,6 +41,11 @@ def with_interval(measured: Interval, kind: Kind) -> str:
     if measured.lacking > 1 - LEVEL:
         words += f"; none in {100 * measured.lacking:.0f} % of the resamples"
     return f"{number(measured.estimate, kind)} ({words})"
+
+
+def _rounded(value: float, digits: int) -> str:
+    # Zero is added so that nothing is written as minus zero.
+    return f"{round(value, digits) + 0.0:.{digits}f}"
 
 
 def _never(value: float, kind: Kind) -> str:

@@ -7,25 +7,19 @@ from prospect_mj.experiment.paper import (
     ablation,
     report_ablation,
     report_infants,
+    report_live,
     report_statements,
 )
-from prospect_mj.experiment.paper.bands import LEVEL, RESAMPLES
+from prospect_mj.experiment.paper.bootstrap import LEVEL, RESAMPLES
+from prospect_mj.experiment.paper.captions import FIGURES, words
 from prospect_mj.experiment.paper.live_check import LiveCheck
 from prospect_mj.experiment.paper.optimum import Optimum
-from prospect_mj.experiment.paper.plain import Speed
 from prospect_mj.experiment.paper.reproduce_config import PRETRAIN, ReproduceConfig
 from prospect_mj.experiment.paper.sample import Sample
+from prospect_mj.experiment.paper.speed import Speed
 from prospect_mj.experiment.paper.statements import Judgement
 from prospect_mj.recording.key import RecordingKey
 
-FIGURES = {
-    "figure_5a": "Actions per trial without a dominant hand.",
-    "figure_5b": "Actions per trial with a dominant hand.",
-    "figure_6a": "Strategies in easy trials.",
-    "figure_6b": "Strategies in difficult trials.",
-}
-"""Each with its caption; a PNG and a Parquet file have its name."""
-LIVE = "live"
 ABLATION = "ablation"
 _FEW = 20
 """Runs; of ten, a 95 % interval covers the mean of a normal distribution in 90 %."""
@@ -74,7 +68,7 @@ def report(results: Results) -> str:
         report_statements.further(results.sample),
         report_infants.section(results.sample),
         report_ablation.section(results.rows, results.config.ablation_runs),
-        _live(results.live),
+        report_live.section(results.live),
         _timing(results.timing),
     )
     return "\n\n".join(part for section in sections for part in section) + "\n"
@@ -92,7 +86,8 @@ def _opening(results: Results) -> Iterable[str]:
         f"{left} presentations with the lid to the left and {right} with the lid to "
         f"the right. The best possible mean is {best.mean:.3f} actions per trial "
         f"({best.left:.3f} with the lid to the left, {best.right:.3f} to the right), "
-        "computed from the recording by dynamic programming."
+        "computed from the recording by dynamic programming; of those who explore as "
+        f"the learner does, {results.optimum.exploring.mean:.3f}."
     )
     yield _recording(results.key, results.changed)
     yield (
@@ -107,7 +102,7 @@ def _opening(results: Results) -> Iterable[str]:
 def _recording(key: RecordingKey, changed: Sequence[str]) -> str:
     """What was learned from."""
     versions = ", ".join(f"{name} {version}" for name, version in key.versions.items())
-    now = f"Since then: {'; '.join(changed)}." if changed else "Nothing changed since."
+    now = f"Changes: {'; '.join(changed)}." if changed else "Nothing changed since."
     return (
         f"The recording: key {key.digest[:16]}, seed {key.config.seed}, "
         f"{key.config.gross_motion} gross motion, made with {versions}. {now}"
@@ -116,31 +111,15 @@ def _recording(key: RecordingKey, changed: Sequence[str]) -> str:
 
 def _figures() -> Iterable[str]:
     yield "## Figures"
-    for name, caption in FIGURES.items():
-        yield f"![{caption}]({name}.png)"
-        words = f"As the paper's {name.replace('_', ' ')}. {caption}"
-        yield f"*{words} [Numbers]({name}.parquet).*"
-
-
-def _live(live: LiveCheck | None) -> Iterable[str]:
-    yield "## Live physics against recorded"
-    if live is None:
-        yield "Not compared: no live runs were given."
-        return
-    if not live.runs:
-        yield f"Not compared: of {live.unfinished} live runs none is complete."
-        return
-    left_out = (
-        f" ({live.unfinished} unfinished ones left out)" if live.unfinished else ""
-    )
-    verdict = "They agree" if live.agrees else "They do not agree"
     yield (
-        f"{live.runs} runs on live physics{left_out} against the simultaneous "
-        f"{100 * LEVEL:.0f} % band of means of as many recorded runs: the live mean is "
-        f"inside in {100 * live.inside:.1f} % of the sets of ten trials. **{verdict}.**"
+        f"Lines are means over runs, shades their {100 * LEVEL:.0f} % bands; where no "
+        "shade is seen it is narrower than the line. What the paper states is marked "
+        "as it says it: a trial by a line over all heights, a height that was exceeded "
+        "by an arrow upwards from it."
     )
-    yield f"![Live runs on the band of recorded ones]({LIVE}.png)"
-    yield f"*[Numbers]({LIVE}.parquet).*"
+    for name, title in FIGURES.items():
+        yield f"![{title}]({name}.png)"
+        yield f"*As the paper's {words(name)}. {title}. [Numbers]({name}.parquet).*"
 
 
 def _timing(timing: Timing) -> Iterable[str]:

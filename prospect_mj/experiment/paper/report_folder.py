@@ -6,9 +6,10 @@ figure_5a.png ...   with the numbers of each in figure_5a.parquet ...
 report.md           what came out
 """
 
+from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
-from typing import Self
+from typing import Any, Self
 
 import pyarrow as pa
 import yaml
@@ -17,7 +18,7 @@ from prospect_mj import tables
 from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
 from prospect_mj.locking import LockedFolder
-from prospect_mj.storage import read_yaml, replace_file, temporary
+from prospect_mj.storage import make_folder, read_yaml, replace_file, temporary
 
 NAME = "reproduction.yaml"
 REPORT = "report.md"
@@ -53,12 +54,7 @@ class ReportFolder(LockedFolder):
                 size or from another recording.
             FolderInUse: if another process works there.
         """
-        if path.exists() and not path.is_dir():
-            raise RunFolderError(f"{path} is not a folder")
-        try:
-            path.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise RunFolderError(f"{path} can't be made: {error.strerror}") from error
+        make_folder(path, RunFolderError)
         folder = cls(path, origin)
         with folder.closed_if_it_fails():
             folder._begin_or_check(config)
@@ -79,22 +75,39 @@ class ReportFolder(LockedFolder):
             replace_file(path, text.encode())
         found = _read(path)
         if found != wanted:
-            differs = [name for name in wanted if found.get(name) != wanted[name]]
             raise RunFolderError(
-                f"{self.path} holds another reproduction: its {', '.join(differs)} "
-                "differs; choose another folder"
+                f"{self.path} holds another reproduction "
+                f"({_differences(found, wanted)}); choose another folder"
             )
 
     def write(self, name: str, content: bytes) -> None:
         """Write a file, all or nothing."""
         replace_file(self.path / name, content)
 
+    def remove(self, name: str) -> None:
+        """Remove a file, if it is there."""
+        (self.path / name).unlink(missing_ok=True)
+
     def write_table(self, name: str, table: pa.Table) -> None:
         """Write a table as Parquet, all or nothing."""
         self.write(f"{name}.parquet", tables.parquet(table, self._origin))
 
 
-def _read(path: Path) -> dict[str, object]:
+def _differences(found: Mapping[str, Any], wanted: Mapping[str, Any]) -> str:
+    """What is not the same, in words."""
+    was, now = found.get("config"), wanted["config"]
+    was = was if isinstance(was, Mapping) else {}
+    words = [
+        f"{name.replace('_', ' ')}: {was.get(name)}, not {now.get(name)}"
+        for name in {**now, **was}
+        if was.get(name) != now.get(name)
+    ]
+    if found.get("recording") != wanted["recording"]:
+        words.append("it learned from another recording")
+    return ", ".join(words) or "of another version"
+
+
+def _read(path: Path) -> dict[str, Any]:
     content = read_yaml(path, RunFolderError)
     if not path.read_bytes().endswith(_END):
         raise RunFolderError(f"{path} can't be read: it is damaged")

@@ -14,7 +14,7 @@ _ROWS = {
     "optimal": "optimal in difficult trials",
     "early": "early corrections in difficult trials",
     "late": "late corrections in difficult trials",
-    "other": "other or cut off in difficult trials",
+    "other": "other or truncated in difficult trials",
     "preference": "early ones in all corrections of difficult trials",
     "easy_optimal": "optimal in easy trials",
 }
@@ -44,13 +44,13 @@ def section(sample: Sample) -> Iterable[str]:
     yield (
         "The three stages are the beginning after the pretraining, the height of "
         "corrections between it and the end, and the end; they stand for 9, 14 and 19 "
-        "months. An order is the same if the intervals put all of its parts beyond "
-        "doubt, not the same if they exclude one of them, and undecided otherwise."
+        "months. An order holds if the intervals put all of its parts beyond doubt, "
+        "does not hold if they exclude one of them, and is undecided otherwise."
     )
     yield table(
-        ("infants, as the paper tells", "the agent does the same if", "same order"),
+        ("infants, as the paper tells", "the same in the agent", "verdict"),
         [
-            (order.infants, order.rule, f"**{order.same}**")
+            (order.infants, order.rule, f"**{order.verdict}**")
             for order in infants.orders(sample, found)
         ],
     )

@@ -7,7 +7,7 @@ from prospect_mj.experiment.paper.markdown import definitions, table
 from prospect_mj.experiment.paper.quantity import with_interval
 from prospect_mj.experiment.paper.sample import Sample, estimate, title
 from prospect_mj.experiment.paper.statements import Judgement
-from prospect_mj.experiment.paper.target import Verdict
+from prospect_mj.experiment.paper.target import Verdict, agreed
 
 
 def published(judgements: Sequence[Judgement]) -> Iterable[str]:
@@ -18,11 +18,15 @@ def published(judgements: Sequence[Judgement]) -> Iterable[str]:
         said = judged.statement
         measured = with_interval(judged.measured, said.kind)
         what = f"{title(said.measure)}: {measured}"
-        rows.append((said.text, said.target.words, what, f"**{judged.verdict}**"))
+        verdict = f"**{judged.verdict}**" + (", fitted" if said.fitted else "")
+        rows.append((said.text, said.target.words, what, verdict))
     yield table(("the paper", "as a number", "measured", "verdict"), rows)
     yield (
         "A statement holds if all of the interval is in the range, does not hold if "
-        "none of it is, and is undecided otherwise, as most are in a small study."
+        "none of it is, and is undecided otherwise, as most are in a small study. "
+        "*Fitted*: what the paper leaves open, above all the scale of the histogram "
+        "and the initial weights, was chosen by this number; that it comes out is no "
+        "prediction. The other rows had no part in any choice."
     )
     measures = dict.fromkeys(judged.statement.measure for judged in judgements)
     yield definitions(measures)
@@ -31,19 +35,24 @@ def published(judgements: Sequence[Judgement]) -> Iterable[str]:
 
 def _order_of_corrections(judgements: Sequence[Judgement]) -> str:
     """Whether it can be told which correction disappears first."""
-    verdicts = {j.verdict for j in judgements if j.statement in statements.EARLY_FIRST}
-    if verdicts == {Verdict.HOLDS}:
-        words = "By both measures early corrections disappear first, as in the paper."
-    elif verdicts == {Verdict.FAILS}:
-        words = "By neither measure do early corrections disappear first."
-    else:
-        words = (
-            "Which correction disappears first can't be told: the two measures of it "
-            "don't agree, or leave it open."
-        )
+    said = agreed(
+        j.verdict for j in judgements if j.statement in statements.EARLY_FIRST
+    )
+    match said:
+        case Verdict.HOLDS:
+            words = (
+                "By both measures early corrections disappear first, as in the paper."
+            )
+        case Verdict.FAILS:
+            words = "By neither measure do early corrections disappear first."
+        case Verdict.OPEN:
+            words = (
+                "Which correction disappears first can't be told: the two measures of "
+                "it don't agree, or leave it open."
+            )
     return (
-        f"{words} A fixed share favours the rarer one, which is near it from the "
-        "start; the paper doesn't say what it calls disappeared."
+        f"{words} There are two, as the paper doesn't say what it calls disappeared, "
+        "and a rarer correction is nearer to any fixed share."
     )
 
 

@@ -1,15 +1,23 @@
 """The paper's experiment from a recording to the report."""
 
+import warnings
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
-from prospect_mj.experiment.paper import ablation, live_check, pictures, statements
-from prospect_mj.experiment.paper.live_check import FoundRuns, LiveCheck
+from prospect_mj.experiment.paper import (
+    ablation,
+    ablation_table,
+    live_check,
+    pictures,
+    statements,
+)
+from prospect_mj.experiment.paper.captions import LIVE
+from prospect_mj.experiment.paper.live_check import LiveCheck
+from prospect_mj.experiment.paper.live_folders import FoundRuns, read_live
 from prospect_mj.experiment.paper.optimum import optimum
-from prospect_mj.experiment.paper.plain import Speed, measured_speed
 from prospect_mj.experiment.paper.report import (
     ABLATION,
     STATEMENTS,
@@ -21,6 +29,7 @@ from prospect_mj.experiment.paper.report_folder import REPORT, ReportFolder
 from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
 from prospect_mj.experiment.paper.sample import Resampling, Sample
 from prospect_mj.experiment.paper.scenario import PopulationSettings
+from prospect_mj.experiment.paper.speed import Speed, measured_speed
 from prospect_mj.experiment.paper.store import Kept, Store, recording_digest
 from prospect_mj.recording.arrays import LEFT, RIGHT
 from prospect_mj.recording.key import RecordingKey
@@ -86,14 +95,15 @@ def reproduce(
         results = _results(_Study(recording, config, store, tick), shown, found)
         _write_figures(folder, results)
         folder.write_table(STATEMENTS, statements.table(results.judgements))
-        folder.write_table(ABLATION, ablation.table(results.rows))
+        folder.write_table(ABLATION, ablation_table.table(results.rows))
         folder.write(REPORT, report(results).encode())
+        _clear(folder, store, results)
     return out / REPORT
 
 
 def _results(study: _Study, shown: tuple[int, int], found: FoundRuns | None) -> Results:
     config, recording = study.config, study.recording
-    settings = config.population(config.runs)
+    settings = config.main
     speed = measured_speed(recording, config.scenarios[0], settings)
     # A stream for each, so that live runs or another table change nothing else.
     main, table, band = np.random.default_rng(config.seed).spawn(3)
@@ -115,8 +125,8 @@ def _results(study: _Study, shown: tuple[int, int], found: FoundRuns | None) -> 
 
 def _rows(study: _Study, rng: np.random.Generator) -> Iterator[ablation.Row]:
     """One after the other, all with the same resamples of runs of the same seeds."""
-    runs = study.config.ablation_runs
-    default, resampling = study.config.population(runs), Resampling.draw(runs, rng)
+    default = study.config.ablation
+    resampling = Resampling.draw(default.runs, rng)
     for variant in ablation.variants():
         settings = variant.settings(default)
         sample = _sampled(study.learned(settings), resampling)
@@ -146,8 +156,7 @@ def _live_runs(
 ) -> FoundRuns | None:
     if live is None:
         return None
-    settings = PopulationSettings()
-    return live_check.read_live(live, config.trials, settings, recording.key)
+    return read_live(live, config.trials, config.main, recording.key)
 
 
 def _compared(
@@ -165,3 +174,16 @@ def _write_figures(folder: ReportFolder, results: Results) -> None:
     for picture in made:
         folder.write_table(picture.name, picture.table)
         folder.write(f"{picture.name}.png", picture.png)
+
+
+def _clear(folder: ReportFolder, store: Store, results: Results) -> None:
+    """Leave nothing that the report doesn't tell of, but for what took time to make."""
+    if results.live is None or not results.live.runs:
+        folder.remove(f"{LIVE}.png")
+        folder.remove(f"{LIVE}.parquet")
+    if unused := store.unused():
+        warnings.warn(
+            f"{folder.path / POPULATIONS} has files of other code, settings or "
+            f"versions, no longer read: {len(unused)}",
+            stacklevel=3,
+        )

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from prospect_mj.checks import check_integer
 from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.learning_curve import BLOCK
@@ -15,6 +17,7 @@ _FEWEST_TRIALS = PRETRAIN + 3 * BLOCK
 # The resampled curves of so many stay below two gigabytes of memory.
 _MOST_RUNS, _MOST_TRIALS = 10_000, 10_000
 _LARGEST = 10_000_000
+_ABLATION = 1
 
 
 @dataclass(frozen=True)
@@ -25,7 +28,7 @@ class ReproduceConfig:
     """Learners per scenario."""
     trials: int = 1000
     """Trials of each, with a dominant hand 400 of pretraining among them."""
-    ablation_runs: int = 200
+    ablation_runs: int = 1000
     """Learners per scenario and choice in the ablation table."""
     seed: int = 0
     """Equal seeds give equal reports, wall times aside."""
@@ -45,6 +48,17 @@ class ReproduceConfig:
         """Without a dominant hand, and with one."""
         return Scenario(self.trials), Scenario(self.trials, PRETRAIN)
 
-    def population(self, runs: int) -> PopulationSettings:
-        """So many of the default learners, of either scenario."""
-        return PopulationSettings(runs=runs, seed=self.seed)
+    @property
+    def main(self) -> PopulationSettings:
+        """The default learners, of either scenario."""
+        return PopulationSettings(runs=self.runs, seed=self.seed)
+
+    @property
+    def ablation(self) -> PopulationSettings:
+        """Those of the ablation, other runs than the main ones.
+
+        So no choice is made by the runs that are judged in the end.
+        """
+        sequence = np.random.SeedSequence(self.seed, spawn_key=(_ABLATION,))
+        seed = int(sequence.generate_state(1)[0])
+        return PopulationSettings(runs=self.ablation_runs, seed=seed)

@@ -6,14 +6,13 @@ from typing import NamedTuple, Self
 
 import numpy as np
 
-from prospect_mj.experiment.paper.bands import (
-    Curves,
+from prospect_mj.experiment.paper.bootstrap import (
     Floats,
     Interval,
-    RunCounts,
     interval,
-    resampling_weights,
+    times_drawn,
 )
+from prospect_mj.experiment.paper.curves import Curves, RunCounts
 from prospect_mj.experiment.paper.population import Population
 
 
@@ -27,7 +26,7 @@ class Pair(NamedTuple):
 
 
 class Resampling(NamedTuple):
-    """Weights of the runs in every resample, to be used for all that is compared."""
+    """How often each run is in every resample, to be used for all that is compared."""
 
     baseline: Floats
     """(b, runs) without a dominant hand."""
@@ -37,7 +36,7 @@ class Resampling(NamedTuple):
     @classmethod
     def draw(cls, runs: int, rng: np.random.Generator) -> Self:
         """Draw as many runs as there are, again and again, in either scenario."""
-        return cls(*(resampling_weights(runs, rng) for _ in cls._fields))
+        return cls(*(times_drawn(runs, rng) for _ in cls._fields))
 
 
 class Sample(NamedTuple):
@@ -55,7 +54,7 @@ class Sample(NamedTuple):
         """Count and resample the runs of both scenarios."""
         counts = RunCounts.of(baseline), RunCounts.of(dominant)
         pairs = zip(counts, resampling, strict=True)
-        resampled = Pair(*(count.weighted(weights) for count, weights in pairs))
+        resampled = Pair(*(count.drawn(times) for count, times in pairs))
         return cls(Pair(*(count.mean() for count in counts)), resampled)
 
 

@@ -1,6 +1,7 @@
 """What is presented in the paper's experiment, and to which learner."""
 
 from dataclasses import dataclass, field
+from typing import Literal, get_args
 
 from prospect_mj.agent.features import N_FEATURES, FeatureSettings
 from prospect_mj.agent.settings import LearnerSettings
@@ -10,6 +11,8 @@ from prospect_mj.experiment.records import ACTION_NAMES
 from prospect_mj.recording.config import LARGEST_SEED
 from prospect_mj.supervisor.supervisor import Mode, Supervisor
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
+
+Pictures = Literal["recorded", "one_per_side"]
 
 _MOST = 100_000
 _MOST_ACTIONS = 100
@@ -57,9 +60,10 @@ class PopulationSettings:
     """Standard deviation of normal noise [1] that every trial adds to each bin of the
     scaled histogram. A bin falls to zero at most; the noisy histogram is then scaled
     like any other."""
-    presentations: int | None = None
-    """How many recorded presentations of each side are shown, the first ones; None:
-    all that are complete."""
+    pictures: Pictures = "recorded"
+    """What a trial looks like: "recorded", as its presentation did; "one_per_side", as
+    one presentation of that side did, drawn for the whole run. Outcomes are those of
+    the trial's own presentation in both."""
 
     def __post_init__(self) -> None:
         """Refuse numbers and choices that make no population."""
@@ -72,8 +76,7 @@ class PopulationSettings:
                 "bootstrap at truncation", self.bootstrap_at_truncation, "true or false"
             )
         check_number("image noise", self.image_noise, 0, 10)
-        if self.presentations is not None:
-            check_integer("presentations of a side", self.presentations, 1, _MOST)
+        check_choice("pictures", self.pictures, get_args(Pictures))
         n_actions = len(ACTION_NAMES)
         check_integer("number of actions", self.learner.n_actions, n_actions, n_actions)
         sizes = self.learner.n_features, N_FEATURES, N_FEATURES

@@ -6,13 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from prospect_mj.experiment.learning_curve import BLOCK
-from prospect_mj.experiment.paper.bands import (
-    Curves,
-    Floats,
-    Interval,
-    interval,
-    mean_of_sets,
-)
+from prospect_mj.experiment.paper.bootstrap import Floats, Interval, interval
+from prospect_mj.experiment.paper.curves import Curves, mean_of_sets
 from prospect_mj.experiment.paper.sample import Sample
 from prospect_mj.experiment.paper.strategies import Grip, Strategy
 

@@ -2,7 +2,8 @@
 
 A file is known by the digest of all that decides its numbers: scenario, settings, the
 recording's outcomes, the code of the learner and of what is below it, and the versions
-of the packages that compute them.
+of the packages that compute them. All of it stands in the metadata of the file's
+schema, as JSON, next to what the learners did in every trial.
 """
 
 import json
@@ -25,7 +26,7 @@ from prospect_mj.recording.provenance import (
     source_digest,
 )
 from prospect_mj.recording.recording import Recording
-from prospect_mj.storage import replace_file
+from prospect_mj.storage import make_folder, replace_file
 
 CODE = (
     "agent/features.py",
@@ -82,13 +83,11 @@ class Store:
         """Open the folder.
 
         Raises:
-            RunFolderError: if it can't be made.
+            RunFolderError: if there is a file, or it can't be made.
         """
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise RunFolderError(f"{folder} can't be made: {error.strerror}") from error
+        make_folder(folder, RunFolderError)
         self._folder, self._recording, self._jobs = folder, recording, jobs
+        self._used: set[Path] = set()
         self._base = {
             "recording": recording_digest(recording),
             "code": code(),
@@ -101,16 +100,24 @@ class Store:
         Raises:
             RunFolderError: if its file is damaged; it is left as it is.
         """
-        settled = {"scenario": asdict(scenario), "settings": asdict(settings)}
-        digest = sha256(json.dumps(self._base | settled, sort_keys=True).encode())
-        path = self._folder / f"{digest[:16]}.parquet"
+        decides = {"scenario": asdict(scenario), "settings": asdict(settings)}
+        decides |= self._base
+        digest = sha256(json.dumps(decides, sort_keys=True).encode())
+        kind = "dominant" if scenario.pretrain else "baseline"
+        path = self._folder / f"{kind}-{digest[:16]}.parquet"
+        self._used.add(path)
         if path.exists():
             return _kept(_read(path, digest), scenario)
         began = time.perf_counter()
         learned = run_population(self._recording, scenario, settings, self._jobs)
         kept = Kept(learned, time.perf_counter() - began, self._jobs)
-        replace_file(path, tables.parquet(_rows(kept), digest, "zstd"))
+        notes = {name: json.dumps(value) for name, value in decides.items()}
+        replace_file(path, tables.parquet(_rows(kept), digest, "zstd", notes))
         return kept
+
+    def unused(self) -> list[Path]:
+        """Files that were not asked for, such as those of older code."""
+        return sorted({*self._folder.glob("*.parquet")} - self._used)
 
 
 def recording_digest(recording: Recording) -> str:

@@ -1,10 +1,11 @@
 """Ranges that measures are held to, and how an interval is judged by one."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 from math import isnan
 
-from prospect_mj.experiment.paper.bands import LEVEL, Interval
+from prospect_mj.experiment.paper.bootstrap import LEVEL, Interval
 
 
 class Verdict(StrEnum):
@@ -23,6 +24,8 @@ class Target:
     high: float
     words: str
     """The published number or comparison, and what counts as that."""
+    number: float | None = None
+    """The published number itself, or the bound of the comparison."""
 
     def verdict(self, measured: Interval) -> Verdict:
         """Judge a measure by its interval; the wider it is, the less it confirms.
@@ -41,4 +44,10 @@ class Target:
 
 def about(number: float, words: str) -> Target:
     """A tenth of a number to either side of it."""
-    return Target(9 * number / 10, 11 * number / 10, words)
+    return Target(9 * number / 10, 11 * number / 10, words, number)
+
+
+def agreed(verdicts: Iterable[Verdict]) -> Verdict:
+    """What several measures of the same say; undecided where they differ."""
+    said = set(verdicts)
+    return said.pop() if len(said) == 1 else Verdict.OPEN

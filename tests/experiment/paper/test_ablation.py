@@ -2,15 +2,23 @@ from collections import defaultdict
 
 import numpy as np
 import pytest
+from ideal_recording import ideal, recording
 from synthetic import pair, sampled
 
-from prospect_mj.experiment.paper import ablation, report_ablation
+from prospect_mj.experiment.paper import ablation, ablation_table, report_ablation
 from prospect_mj.experiment.paper.ablation import Row, Variant
-from prospect_mj.experiment.paper.bands import Curves, Interval, interval
+from prospect_mj.experiment.paper.bootstrap import Interval, interval
+from prospect_mj.experiment.paper.curves import Curves
+from prospect_mj.experiment.paper.programme import Programme
+from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
 from prospect_mj.experiment.paper.sample import Pair
 from prospect_mj.experiment.paper.scenario import PopulationSettings
+from prospect_mj.experiment.paper.statements import STATEMENTS, Judgement
+from prospect_mj.experiment.paper.target import Verdict
 
 DEFAULT = PopulationSettings()
+N = len(STATEMENTS)
+HOLDS, FAILS, OPEN = Verdict
 
 
 def curves(actions, unsolved, switch):
@@ -73,47 +81,97 @@ def test_a_variant_changes_what_it_names_and_nothing_else():
     assert changed == PopulationSettings(runs=7, seed=3, supervisor="safe")
 
 
+def test_no_run_of_the_ablation_is_one_of_the_main_study():
+    shown = recording(left=(ideal,), right=(ideal,))
+    config = ReproduceConfig(runs=20, ablation_runs=20)
+    drawn = [
+        {
+            float(programme.run(number).trials.draws[0, 0, 0])
+            for number in range(settings.runs)
+        }
+        for settings in (config.main, config.ablation)
+        for programme in (Programme(shown, config.scenarios[0], settings),)
+    ]
+    assert len(set.union(*drawn)) == 40
+    other = ReproduceConfig(seed=1)
+    assert (
+        other.ablation.seed != config.ablation.seed == ReproduceConfig().ablation.seed
+    )
+
+
 COMMON = np.linspace(-3, 3, 101)
 """What chance adds in every resample to all choices alike."""
 
 
-def row(choice, distance, own=0.0, is_default=False, measured=(650.0,) * 3):
+def row(choice, distance, own=0.0, measured=(650.0,) * 3, verdicts=(HOLDS,) * N):
     """A choice whose resampled distances share all chance but its own (101,)."""
-    intervals = {name: Interval(*measured) for name in ablation.PUBLISHED}
+    judged = [
+        Judgement(said, Interval(*measured), verdict)
+        for said, verdict in zip(STATEMENTS, verdicts, strict=True)
+    ]
     many = distance + COMMON + own
     variant = Variant("factor", choice, {})
-    return Row(variant, is_default, intervals, interval(distance, many), many)
+    return Row(variant, choice == "a", judged, interval(distance, many), many)
 
 
 ALTERNATING = np.where(np.arange(101) % 2, 1.5, -1.5)
 INF = np.inf
 ROWS = [
-    row("a", 12.0, own=ALTERNATING, is_default=True),
-    row("b", 11.0),
-    row("c", 12.0),
+    row("a", 12.0),
+    row("b", 11.0, own=ALTERNATING, verdicts=(HOLDS,) * (N - 2) + (FAILS, OPEN)),
+    row("c", 13.0),
     row("d", 29.0, measured=(INF, INF, INF)),
     row("e", 29.0, measured=(650.0, 640.0, INF)),
+    row("f", 12.0),
 ]
+NEARER = row("g", 11.5)
+
+
+def names(rows):
+    return [row.variant.choice for row in rows]
 
 
 def test_choices_are_told_apart_by_what_chance_they_do_not_share():
-    assert ablation.best(ROWS).variant.choice == "b"
-    # The intervals of b and c overlap; yet c is farther by 1 in every resample.
-    assert ROWS[2].distance.low < ROWS[1].distance.high
-    assert ablation.farther(ROWS[2], ROWS[1]) == (1, 1, 1, 0)
-    assert ablation.farther(ROWS[0], ROWS[1]) == pytest.approx((1, -0.5, 2.5, 0))
-    assert [r.variant.choice for r in ablation.as_good(ROWS)] == ["a", "b"]
+    # The intervals of a and c overlap; yet c is farther by 1 in every resample.
+    assert ROWS[2].distance.low < ROWS[0].distance.high
+    assert ablation.farther(ROWS[2], ROWS[0]) == (1, 1, 1, 0)
+    assert ablation.farther(ROWS[1], ROWS[0]) == pytest.approx((-1, -2.5, 0.5, 0))
+    assert names(ablation.as_good(ROWS)) == ["b", "f"]
+    assert ablation.nearer(ROWS) == []
+    assert names(ablation.nearer([*ROWS, NEARER])) == ["g"]
+    assert names(ablation.as_good([*ROWS, NEARER])) == ["b", "f"]
 
 
-def test_the_report_says_which_choice_fits_and_marks_the_default():
-    text = "\n".join(report_ablation.section(ROWS, 200))
-    assert "*b* fits best, not to be told from a; the default is *a*" in text
+def report(rows):
+    return "\n".join(report_ablation.section(rows, 200))
+
+
+def test_the_report_says_which_choices_are_as_good_as_the_default():
+    text = report(ROWS)
+    assert "- factor: *a* (default); as good: b; f." in text
     assert "| a (default) |" in text
     assert "never" in text
+    assert "as good: none." in report([ROWS[0], ROWS[2]])
+
+
+def test_the_report_says_whether_the_default_stands():
+    assert "None is nearer." in report(ROWS)
+    doubted = report([*ROWS, NEARER])
+    assert "None is nearer." not in doubted
+    assert "Nearer than the default: factor *g*." in doubted
+
+
+def test_the_report_tells_which_statements_hang_on_a_choice():
+    lines = report(ROWS).splitlines()[-N:]
+    assert all("| **holds** | 2 of 2 |  |" in line for line in lines[:-2])
+    assert lines[-2].endswith("| 1 of 2 | does not hold with factor *b* |")
+    assert lines[-1].endswith("| 1 of 2 | undecided with factor *b* |")
+    marked = ["(fitted)" in line for line in lines]
+    assert marked == [said.fitted for said in STATEMENTS]
 
 
 def test_a_distance_with_something_never_reached_is_a_lower_bound():
-    lines = "\n".join(report_ablation.section(ROWS, 200)).splitlines()
+    lines = report(ROWS).splitlines()
     d, e = (next(line for line in lines if f"| {name} |" in line) for name in "de")
     assert "| >= 29.00 (>= 26.12 to >= 31.88) |" in d
     assert "| 29.00 (26.12 to >= 31.88) |" in e
@@ -124,14 +182,17 @@ def test_a_row_is_measured_with_intervals_and_tabulated():
     variant = ablation.variants()[0]
     measured = ablation.measure_row(variant, True, sample)
     assert measured.distance.low <= measured.distance.estimate <= measured.distance.high
-    (plain,) = ablation.table([measured]).to_pylist()
+    assert len(measured.fitted) == 4
+    (plain,) = ablation_table.table([measured]).to_pylist()
     assert plain["factor"] == variant.factor
-    assert plain["near_optimal"] == measured.measured["near_optimal"].estimate
+    for judged in measured.judgements:
+        assert plain[judged.statement.name] == judged.measured.estimate
+        assert plain[f"{judged.statement.name}_verdict"] == judged.verdict
     assert plain["distance_high"] == measured.distance.high
 
 
-def test_the_table_tells_how_much_farther_a_choice_is_than_the_best():
-    plain = {row["choice"]: row for row in ablation.table(ROWS).to_pylist()}
-    assert [plain["b"][f"farther{part}"] for part in ("", "_low", "_high")] == [0, 0, 0]
+def test_the_table_tells_how_much_farther_a_choice_is_than_the_default():
+    plain = {row["choice"]: row for row in ablation_table.table(ROWS).to_pylist()}
+    assert [plain["a"][f"farther{part}"] for part in ("", "_low", "_high")] == [0, 0, 0]
     assert plain["c"]["farther_low"] == 1
-    assert plain["a"]["farther_low"] == pytest.approx(-0.5)
+    assert plain["b"]["farther_low"] == pytest.approx(-2.5)

@@ -4,10 +4,10 @@ import numpy as np
 from synthetic import of_strategies, pair, sampled
 
 from prospect_mj.experiment.paper import infants, report_infants
-from prospect_mj.experiment.paper.infants import Same
 from prospect_mj.experiment.paper.scenario import Scenario
 from prospect_mj.experiment.paper.stages import stages
 from prospect_mj.experiment.paper.strategies import Strategy
+from prospect_mj.experiment.paper.target import Verdict
 from prospect_mj.recording.arrays import LEFT, RIGHT
 
 GRIPS, PREFERENCE, EASY, LATE_FIRST = range(4)
@@ -39,8 +39,8 @@ def planted(*spans, runs=200, easy_optimal=0.95):
     return sampled(pair(runs=runs)[0], dominant)
 
 
-def same(sample):
-    return [order.same for order in infants.orders(sample, stages(sample))]
+def verdicts(sample):
+    return [order.verdict for order in infants.orders(sample, stages(sample))]
 
 
 LIKE_INFANTS = (
@@ -51,27 +51,34 @@ LIKE_INFANTS = (
 
 
 def test_an_agent_that_does_as_infants_is_found_to():
-    assert same(planted(*LIKE_INFANTS)) == [Same.YES] * 4
+    assert verdicts(planted(*LIKE_INFANTS)) == [Verdict.HOLDS] * 4
 
 
 def test_another_order_is_found_too():
     other = planted((*BEGINNING, 0.1, 0.3), (*HEIGHT, 0.1, 0.8), easy_optimal=0.3)
-    found = same(other)
+    found = verdicts(other)
     assert (
-        found[GRIPS] == Same.NO
+        found[GRIPS] == Verdict.FAILS
     )  # More nonradial grasps at the height of corrections.
-    assert found[PREFERENCE] == Same.NO
-    assert found[EASY] == Same.NO
+    assert found[PREFERENCE] == Verdict.FAILS
+    assert found[EASY] == Verdict.FAILS
 
 
 def test_nonradial_grasps_that_stay_are_not_rare_at_the_end():
     stay = planted((*BEGINNING, 0.4, 0.4), (500, 900, 0.7, 0.1), (*END, 0.5, 0.0))
-    assert same(stay)[GRIPS] == Same.NO
+    assert verdicts(stay)[GRIPS] == Verdict.FAILS
+
+
+def test_corrections_that_are_still_there_at_the_end_are_not_unnecessary():
+    still = planted(*LIKE_INFANTS, (*END, 0.08, 0.0))
+    assert verdicts(still)[PREFERENCE] == Verdict.FAILS
+    few = planted(*LIKE_INFANTS, (*END, 0.02, 0.01))
+    assert verdicts(few)[PREFERENCE] == Verdict.HOLDS
 
 
 def test_early_corrections_that_go_first_are_the_other_order():
     early_first = planted((*BEGINNING, 0.4, 0.4), (500, 700, 0.0, 0.5))
-    assert same(early_first)[LATE_FIRST] == Same.NO
+    assert verdicts(early_first)[LATE_FIRST] == Verdict.FAILS
 
 
 def test_an_order_that_depends_on_the_measure_is_undecided():
@@ -80,16 +87,16 @@ def test_an_order_that_depends_on_the_measure_is_undecided():
     differs = planted(
         (400, 600, 0.03, 0.7), (600, 850, 0.015, 0.04), (850, 1000, 0.0, 0.0)
     )
-    assert same(differs)[LATE_FIRST] == Same.OPEN
+    assert verdicts(differs)[LATE_FIRST] == Verdict.OPEN
 
 
 def test_a_small_study_leaves_open_what_a_large_one_shows():
-    assert Same.OPEN in same(planted(*LIKE_INFANTS, runs=8))
+    assert Verdict.OPEN in verdicts(planted(*LIKE_INFANTS, runs=8))
 
 
 def test_the_report_tells_every_order_and_other_as_its_own_row():
     sample = planted((*BEGINNING, 0.4, 0.4), (500, 700, 0.0, 0.5))
     text = "\n".join(report_infants.section(sample))
     for order in infants.orders(sample, stages(sample)):
-        assert f"| {order.infants} | {order.rule} | **{order.same}** |" in text
-    assert "| other or cut off in difficult trials | 0.0 % (0.0 % to 0.0 %)" in text
+        assert f"| {order.infants} | {order.rule} | **{order.verdict}** |" in text
+    assert "| other or truncated in difficult trials | 0.0 % (0.0 % to 0.0 %)" in text

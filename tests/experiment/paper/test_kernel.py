@@ -33,9 +33,9 @@ def odd():
 
 
 def assert_equal_learners(compiled, plain):
-    for name in ("lid", "n_actions", "solved", "action", "executed", "inserted"):
-        np.testing.assert_array_equal(getattr(compiled, name), getattr(plain, name))
-    np.testing.assert_allclose(compiled.weights, plain.weights, rtol=1e-12, atol=1e-12)
+    """To the last bit."""
+    for name, of_plain in plain._asdict().items():
+        np.testing.assert_array_equal(getattr(compiled, name), of_plain, name)
 
 
 @pytest.mark.parametrize(
@@ -50,6 +50,7 @@ def assert_equal_learners(compiled, plain):
         {"supervisor": "safe", "shaping": ("insert-left:40", "grasp-right:90")},
         {"learner": LearnerSettings(step_size=0.02, initial_sd=1.0)},
         {"image_noise": 0.05},
+        {"pictures": "one_per_side", "image_noise": 0.01},
     ],
     ids=lambda settings: "-".join(settings) or "default",
 )
@@ -113,9 +114,14 @@ def test_a_value_that_is_no_number_is_an_error():
 
 
 def test_nothing_to_choose_from_is_an_error():
-    graph = ideal_graph()._replace(choices=np.zeros((1, 1, 6), bool))
-    with pytest.raises(InvalidValue, match="trial 0"):
+    choices = np.ones((2, 3, 6), bool)
+    choices[1, 2] = False
+    graph = ideal_graph()._replace(choices=choices)
+    words = r"choice set of state 2 in phase 1 is \[\]; expected an action at least"
+    with pytest.raises(InvalidValue, match=words):
         run_frozen(np.zeros((6, 303)), graph, trials())
+    choices[1, 2, 5] = True
+    run_frozen(np.zeros((6, 303)), graph, trials())
 
 
 def test_frozen_policy_is_greedy_and_learns_nothing():
@@ -150,6 +156,13 @@ def test_frozen_policy_is_greedy_and_learns_nothing():
 def test_compiled_code_gets_arrays_that_fit_only(wrong, value):
     with pytest.raises(InvalidValue, match=r"shape|to \d+"):
         run_frozen(np.zeros((6, 303)), ideal_graph(), trials(**{wrong: value}))
+
+
+@pytest.mark.parametrize("images", [[-1, 1, 0, 0], [0, 1, 0, 9], [0, 4, 0, 0]])
+def test_the_number_that_does_not_fit_is_named(images):
+    wrong = next(image for image in images if not 0 <= image < 4)
+    with pytest.raises(InvalidValue, match=f"^images is {wrong}; expected 0 to 3$"):
+        run_frozen(np.zeros((6, 303)), ideal_graph(), trials(image=np.array(images)))
 
 
 def test_weights_and_graph_must_fit_too():

@@ -2,9 +2,9 @@ import numpy as np
 import pytest
 from synthetic import pair, sampled
 
-from prospect_mj.experiment.learning_curve import near_optimal_trial
+from prospect_mj.experiment.learning_curve import smoothed_near_optimal_trial
 from prospect_mj.experiment.paper import corrections, measures, statements
-from prospect_mj.experiment.paper.bands import Curves
+from prospect_mj.experiment.paper.curves import Curves
 from prospect_mj.experiment.paper.sample import (
     Pair,
     definition,
@@ -53,14 +53,15 @@ def test_near_optimal_is_reached_where_it_stays(actions, trial):
     assert measures.near_optimal(on_actions(actions)) == [trial]
 
 
-def test_settling_agrees_with_the_studies_measure_without_smoothing():
-    rng = np.random.default_rng(0)
-    random = np.linspace(3.5, 2.0, 40) + 0.3 * rng.standard_normal((200, 40))
-    wanted = [near_optimal_trial(curve, smoothing=1) for curve in random]
-    wanted = [INF if trial is None else trial for trial in wanted]
-    np.testing.assert_array_equal(10 * measures.settled(random, 2.4), wanted)
-    assert INF in wanted
-    assert len(set(wanted)) > 5
+def test_the_smoothed_measure_of_small_studies_is_the_same_on_smooth_curves():
+    falling = np.linspace(3.5, 2.0, 40)
+    (plain,) = measures.near_optimal(on_actions(falling))
+    assert plain == 290
+    assert smoothed_near_optimal_trial(falling) == plain - 10
+    # One unlucky set decides the one, and is smoothed away in the other.
+    falling[36] = 2.45
+    assert measures.near_optimal(on_actions(falling)) == [370]
+    assert smoothed_near_optimal_trial(falling) == plain - 10
 
 
 def test_pretraining_is_looked_at_alone():
@@ -70,9 +71,9 @@ def test_pretraining_is_looked_at_alone():
     assert measures.pretraining_near_optimal(late) == [INF]
 
 
-def test_the_peak_is_sought_in_thirty_trials():
+def test_right_after_the_pretraining_is_the_first_set_after_it():
     pair = on_actions([9] * 9, [9.5, 9, 9, 2, 5, 6.1, 6, 8, 8])
-    assert measures.peak_after_switch(pair) == [6.1]
+    assert measures.actions_after_switch(pair) == [5]
 
 
 def test_first_unsolved_is_that_of_the_first_ten_trials_of_the_baseline():
@@ -83,10 +84,25 @@ def test_first_unsolved_is_that_of_the_first_ten_trials_of_the_baseline():
 def test_a_fall_at_half_the_speed_takes_twice_as_long():
     fast = [8, 6, 4, 2, 2, 2]
     slow = [9, 9, 9, 9, 8, 7, 6, 5, 4, 3, 2, 2]
-    # Settled at 5 in set 2 and at 3 in set 3; after the switch in sets 3 and 5.
+    # Both cross 5 and 3 halfway between two sets, one set or two after it.
     assert measures.fall_ratio(on_actions(fast, slow)) == [2.0]
     assert measures.fall_ratio(on_actions(fast, [9] * SWITCH + fast)) == [1.0]
     assert measures.fall_ratio(on_actions(fast, [9] * 12)) == [INF]
+
+
+@pytest.mark.parametrize(
+    ("slower", "ratio"), [([8, 5.5, 4.5, 3.2, 2.7, 2], 1.9 / 1.0), ([5, 3, 2], 1.0)]
+)
+def test_a_fall_is_measured_between_sets_too(slower, ratio):
+    # Without a dominant hand 5 is crossed at set 1.5, and 3 at set 2.5; see above.
+    fast = [8, 6, 4, 2, 2, 2]
+    found = measures.fall_ratio(on_actions(fast, [9] * SWITCH + slower))
+    np.testing.assert_allclose(found, [ratio])
+
+
+def test_a_fall_that_began_below_five_counts_from_the_first_set():
+    found = measures.fall_ratio(on_actions([8, 6, 4, 2], [9] * SWITCH + [4, 2, 2]))
+    np.testing.assert_allclose(found, [0.5])
 
 
 def test_relearning_is_counted_from_the_first_random_orientation():
@@ -103,12 +119,21 @@ def easy(optimal):
     return [optimal, *np.zeros((3, len(optimal)))]
 
 
-def test_the_drop_is_from_before_the_switch_to_the_lowest_set_after_it():
-    pair = on_shares(easy([0.1, 0.9, 0.9, 0.9, 0.8, 0.5, 0.7, 0.85]))
-    np.testing.assert_allclose(measures.easy_drop(pair), [0.7 - 0.5])
-    assert measures.easy_low_trial(pair) == [50]
-    # Of the last hundred trials there are forty here: 0.7125 on average.
-    np.testing.assert_allclose(measures.easy_regained(pair), [(0.7125 - 0.5) / 0.2])
+def test_the_drop_is_from_before_the_switch_to_the_lowest_five_sets_after_it():
+    before, after = [0.1, 0.9, 0.9, 0.9], [0.8, 0.5, 0.7, 0.5, 0.6, 0.7, 0.9]
+    pair = on_shares(easy(before + after))
+    np.testing.assert_allclose(measures.easy_drop(pair), [0.7 - 0.6])
+    # The second of three means of five sets: from set 5 up to the end of set 9.
+    assert measures.easy_low_trial(pair) == [75]
+    # Of the last hundred trials there are seventy here.
+    regained = (np.mean(after) - 0.6) / 0.1
+    np.testing.assert_allclose(measures.easy_regained(pair), [regained])
+
+
+def test_one_noisy_set_does_not_make_the_drop():
+    noisy = [0.9] * (SWITCH + 12)
+    noisy[9] = 0.4
+    np.testing.assert_allclose(measures.easy_drop(on_shares(easy(noisy))), [0.1])
 
 
 @pytest.mark.parametrize("after", [0.5, 0.6])

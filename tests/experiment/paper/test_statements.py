@@ -8,10 +8,11 @@ from prospect_mj.experiment.paper import (
     report_statements,
     statements,
 )
-from prospect_mj.experiment.paper.bands import Interval
+from prospect_mj.experiment.paper.bootstrap import Interval
 from prospect_mj.experiment.paper.quantity import Kind
+from prospect_mj.experiment.paper.sample import title
 from prospect_mj.experiment.paper.statements import Judgement
-from prospect_mj.experiment.paper.target import Target, Verdict, about
+from prospect_mj.experiment.paper.target import Target, Verdict, about, agreed
 
 INF, NAN = np.inf, np.nan
 
@@ -61,6 +62,11 @@ def test_what_is_not_there_is_undecided():
         (650.0, Kind.TRIAL, "650"),
         (0.4872, Kind.SHARE, "48.7 %"),
         (6.128, Kind.ACTIONS, "6.13"),
+        (-0.0001, Kind.SHARE, "0.0 %"),
+        (-0.001, Kind.RATIO, "0.00"),
+        (-0.001, Kind.ACTIONS, "0.00"),
+        (-0.2, Kind.LAG, "0"),
+        (-0.01, Kind.RATIO, "-0.01"),
         (INF, Kind.TRIAL, "never"),
         (NAN, Kind.SHARE, "none"),
         (170.0, Kind.LAG, "170"),
@@ -128,6 +134,36 @@ def test_what_was_planted_is_judged():
     assert low <= 1 <= high
 
 
+def test_fitted_statements_are_those_that_the_defaults_were_chosen_by():
+    numbers = {said.measure: said.target.number for said in statements.FITTED}
+    assert numbers == {
+        measures.first_unsolved: 0.5,
+        measures.near_optimal: 650,
+        measures.pretraining_near_optimal: 250,
+        measures.actions_after_switch: 6.0,
+    }
+
+
+def test_the_report_marks_fitted_statements_and_no_others():
+    sample = sampled(*pair())
+    text = "\n".join(report_statements.published(statements.judge(sample)))
+    for judged in statements.judge(sample):
+        (line,) = (line for line in text.splitlines() if _tells(line, judged))
+        assert line.endswith("**, fitted |") == judged.statement.fitted
+    assert "*Fitted*" in text
+
+
+def _tells(line, judged):
+    return line.startswith("|") and f"| {title(judged.statement.measure)}: " in line
+
+
+def test_what_differs_is_undecided():
+    assert agreed([Verdict.HOLDS, Verdict.HOLDS]) == Verdict.HOLDS
+    assert agreed([Verdict.FAILS]) == Verdict.FAILS
+    assert agreed([Verdict.HOLDS, Verdict.FAILS]) == Verdict.OPEN
+    assert agreed([Verdict.HOLDS, Verdict.OPEN]) == Verdict.OPEN
+
+
 def test_the_table_has_a_row_for_each_statement():
     sample = sampled(*pair())
     judged = statements.judge(sample)
@@ -135,3 +171,4 @@ def test_the_table_has_a_row_for_each_statement():
     assert [row["statement"] for row in rows] == [s.text for s in statements.STATEMENTS]
     assert rows[1]["measured"] == judged[1].measured.estimate
     assert (rows[1]["low_target"], rows[1]["high_target"]) == (585, 715)
+    assert [row["fitted"] for row in rows[:5]] == [True] * 4 + [False]

@@ -1,7 +1,10 @@
-from dataclasses import replace
+import json
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import numpy as np
+import pyarrow.compute as pc
+import pyarrow.parquet as pq
 import pytest
 from ideal_recording import ideal, recording
 
@@ -97,8 +100,44 @@ def test_other_versions_make_another_population(tmp_path, shown, monkeypatch, pa
 
 def test_a_file_in_place_of_the_folder_is_told(tmp_path, shown):
     (tmp_path / "populations").touch()
-    with pytest.raises(RunFolderError, match="populations can't be made"):
+    with pytest.raises(RunFolderError, match="populations is not a folder"):
         Store(tmp_path / "populations", shown, 1)
+
+
+def test_a_file_says_what_it_is_of_and_is_named_for_it(tmp_path, shown):
+    kept = Store(tmp_path, shown, 1)
+    settings = replace(SETTINGS, supervisor="safe", shaping=("grasp-left:5",))
+    kept.get(SCENARIO, settings)
+    kept.get(Scenario(30), SETTINGS)
+    names = sorted(path.name.partition("-")[0] for path in tmp_path.iterdir())
+    assert names == ["baseline", "dominant"]
+    (file,) = tmp_path.glob("dominant-*.parquet")
+    table = pq.read_table(file)
+    notes = {
+        name: json.loads(table.schema.metadata[name.encode()])
+        for name in ("scenario", "settings", "recording", "code", "versions")
+    }
+    assert Scenario(**notes["scenario"]) == SCENARIO
+    assert notes["settings"] == json.loads(json.dumps(asdict(settings)))
+    assert notes["recording"] == recording_digest(shown)
+    assert notes["versions"].keys() == {"numpy", "numba"}
+    # All that it takes to see what learner 1 did in its trials.
+    mine = table.filter(pc.field("run") == 1)
+    found = run_population(shown, SCENARIO, settings).n_actions[1]
+    assert mine["n_actions"].to_pylist() == found.tolist()
+
+
+def test_files_that_were_not_asked_for_are_unused(tmp_path, shown, monkeypatch):
+    first = Store(tmp_path, shown, 1)
+    first.get(SCENARIO, SETTINGS)
+    assert first.unused() == []
+    (old,) = tmp_path.iterdir()
+    monkeypatch.setattr(store, "source_digest", lambda: "edited")
+    second = Store(tmp_path, shown, 1)
+    second.get(SCENARIO, SETTINGS)
+    assert second.unused() == [old]
+    second.get(SCENARIO, SETTINGS)
+    assert second.unused() == [old]
 
 
 def population_file(folder):

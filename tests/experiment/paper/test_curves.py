@@ -4,13 +4,9 @@ import numpy as np
 import pytest
 from synthetic import of_strategies, pair
 
-from prospect_mj.experiment.paper.bands import (
-    RunCounts,
-    band,
-    interval,
-    mean_of_sets,
-    resampling_weights,
-)
+from prospect_mj.experiment.paper import corrections
+from prospect_mj.experiment.paper.bootstrap import band, times_drawn
+from prospect_mj.experiment.paper.curves import RunCounts, mean_of_sets, moving_means
 from prospect_mj.experiment.paper.scenario import Scenario
 from prospect_mj.experiment.paper.strategies import Strategy
 from prospect_mj.recording.arrays import LEFT, NONE, RIGHT
@@ -19,7 +15,7 @@ OPTIMAL, EARLY, LATE, OTHER = Strategy
 
 
 def resampled(counts, rng, n):
-    return counts.weighted(resampling_weights(len(counts.actions), rng, n))
+    return counts.drawn(times_drawn(len(counts.actions), rng, n))
 
 
 def by_hand():
@@ -53,6 +49,43 @@ def test_a_trial_without_a_grasp_has_no_grip():
     np.testing.assert_allclose(mean.easy_grips[0, :, 0], [4 / 6, 2 / 6])
 
 
+@pytest.mark.parametrize("runs", [3, 7, 49, 1000])
+def test_a_mean_of_just_the_threshold_is_the_threshold(runs):
+    # Two sets with 2 and 2.8 actions in turn: 2.4 of all runs, or of equal shares.
+    strategy = np.full((2 * runs, 10), OPTIMAL)
+    strategy[::2, :8] = EARLY
+    counts = RunCounts.of(of_strategies(strategy, RIGHT, Scenario(10)))
+    assert counts.mean().actions[0, 0] == 2.4
+    turns = np.random.default_rng(0).integers(1, 9, size=(100, runs))
+    times = np.repeat(turns, 2, axis=1).astype(float)
+    assert (counts.drawn(times).actions == 2.4).all()
+
+
+@pytest.mark.parametrize("runs", [7, 49, 1000])
+def test_a_share_of_just_the_threshold_is_the_threshold(runs):
+    # One trial of fifty, the other runs have no difficult ones.
+    strategy = np.full((5 * runs, 10), LATE)
+    strategy[::5, 0] = EARLY
+    counts = RunCounts.of(of_strategies(strategy, LEFT, Scenario(10)))
+    assert counts.mean().difficult[0, EARLY, 0] == corrections.GONE
+
+
+def test_equal_means_are_equal_to_the_last_bit_in_whatever_order_runs_come():
+    counts = RunCounts.of(pair(runs=97)[1])
+    order = np.random.default_rng(0).permutation(97)
+    shuffled = RunCounts.of(
+        replace(
+            population := pair(runs=97)[1],
+            **{
+                name: getattr(population, name)[order]
+                for name in ("lid", "n_actions", "solved", "strategy", "first_hand")
+            },
+        )
+    )
+    np.testing.assert_array_equal(shuffled.mean().actions, counts.mean().actions)
+    np.testing.assert_array_equal(shuffled.mean().easy, counts.mean().easy)
+
+
 def test_shares_of_all_strategies_add_up_to_one():
     curves = resampled(RunCounts.of(pair()[1]), np.random.default_rng(0), 50)
     np.testing.assert_allclose(curves.easy.sum(axis=1), 1)
@@ -64,7 +97,7 @@ def test_resamples_spread_as_the_mean_of_so_many_runs_does():
     population = pair(runs=200)[0]
     counts = RunCounts.of(population)
     many = resampled(counts, np.random.default_rng(1), 4000).actions
-    standard_error = counts.actions.std(axis=0) / np.sqrt(200)
+    standard_error = (counts.actions / 10).std(axis=0) / np.sqrt(200)
     np.testing.assert_allclose(many.mean(axis=0), counts.mean().actions[0], rtol=0.01)
     np.testing.assert_allclose(many.std(axis=0), standard_error, rtol=0.06)
 
@@ -76,33 +109,15 @@ def test_runs_that_are_all_alike_leave_no_doubt():
     np.testing.assert_allclose([low, high], 4)
 
 
-def test_intervals_cover_the_truth_about_as_often_as_they_say():
-    rng, covered = np.random.default_rng(2), 0
-    for _ in range(200):
-        strategy = np.where(rng.random((60, 10)) < 0.7, OPTIMAL, OTHER)
-        counts = RunCounts.of(of_strategies(strategy, RIGHT, Scenario(10)))
-        low, high = band(resampled(counts, rng, 400).actions[:, 0])
-        covered += low <= 0.7 * 2 + 0.3 * 10 <= high
-    # Binomial: 190 expected, standard deviation 3.
-    assert 178 <= covered <= 199
-
-
-def test_an_interval_may_reach_to_infinity():
-    many = np.array([10.0] * 90 + [np.inf] * 10)
-    assert interval(10.0, many) == (10.0, 10.0, np.inf, 0.0)
-
-
-def test_a_resample_that_lacks_it_leaves_the_interval_to_the_others():
-    many = np.array([10.0] * 45 + [20.0] * 45 + [np.nan] * 10)
-    assert interval(15.0, many) == pytest.approx((15.0, 10.0, 20.0, 0.1))
-    none = interval(np.nan, np.full(5, np.nan))
-    assert np.isnan(none[:3]).all()
-    assert none.lacking == 1
-
-
 def test_a_mean_of_sets_passes_over_those_without_a_trial():
     shares = np.array([[0.2, np.nan, 0.4], [np.nan] * 3])
     np.testing.assert_allclose(mean_of_sets(shares), [0.3, np.nan])
+
+
+def test_moving_means_pass_over_sets_without_a_trial_and_stop_at_the_ends():
+    shares = np.array([[1.0, 2.0, np.nan, 4.0, 5.0, 6.0]])
+    np.testing.assert_allclose(moving_means(shares), [[12 / 4, 17 / 4]])
+    np.testing.assert_allclose(moving_means(shares[:, :3]), [[1.5]])
 
 
 def test_the_same_seed_gives_the_same_band():

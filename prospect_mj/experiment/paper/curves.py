@@ -1,36 +1,24 @@
-"""Means over runs in sets of ten trials, and how sure they are: bootstrap over runs.
+"""Means over runs in sets of ten trials.
 
-A resample draws as many runs as there are, with replacement (Efron and Tibshirani, An
-Introduction to the Bootstrap, 1993, chapters 6 and 13). Percentiles are data points,
-not interpolated, so that infinity, for what is never reached, may be among them.
+Runs are counted and resampled in whole numbers, which float64 holds exactly, and
+divided once at the end: a mean of just 2.4 actions is 2.4 on every machine, whatever
+order its matrix product adds up in.
 """
 
 from dataclasses import dataclass
-from typing import NamedTuple, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.experiment.learning_curve import BLOCK
+from prospect_mj.experiment.paper.bootstrap import Floats
 from prospect_mj.experiment.paper.population import Population
 from prospect_mj.experiment.paper.strategies import Grip, Strategy, easy, first_grip
 
-LEVEL = 0.95
-"""Of every interval and band."""
-RESAMPLES = 2000
-"""Of the runs, for every interval and band."""
-
-Floats = NDArray[np.float64]
-
-
-class Interval(NamedTuple):
-    """An estimate with its confidence interval; NaN for what is not there."""
-
-    estimate: float
-    low: float
-    high: float
-    lacking: float = 0.0
-    """Share of the resamples in which it is not there; the others make the bounds."""
+SMOOTHED = 5
+"""Sets per moving mean where an extreme is sought: the largest or smallest of so many
+single sets is the one with most noise."""
 
 
 @dataclass(frozen=True)
@@ -56,12 +44,12 @@ class Curves:
 
 @dataclass(frozen=True)
 class RunCounts:
-    """What is counted in each of r runs and s sets of ten trials."""
+    """What is counted in each of r runs and s sets of ten trials; whole numbers."""
 
     actions: Floats
-    """(r, s) [actions] per trial."""
+    """(r, s) [actions]."""
     unsolved: Floats
-    """(r, s), share of trials cut off."""
+    """(r, s), trials cut off."""
     easy: Floats
     """(r, 4, s), easy trials with each `Strategy`."""
     difficult: Floats
@@ -81,8 +69,8 @@ class RunCounts:
         grip = first_grip(population.lid, population.first_hand)
         began = [grip == kind for kind in Grip]
         return cls(
-            actions=in_sets(population.n_actions).mean(axis=2),
-            unsolved=in_sets(~population.solved).mean(axis=2),
+            actions=_sums(population.n_actions),
+            unsolved=_sums(~population.solved),
             easy=_counts([was & is_easy for was in used]),
             difficult=_counts([was & ~is_easy for was in used]),
             easy_grips=_counts([was & is_easy for was in began]),
@@ -92,28 +80,20 @@ class RunCounts:
 
     def mean(self) -> Curves:
         """The curves of all runs, b = 1."""
-        n_runs = len(self.actions)
-        return self.weighted(np.full((1, n_runs), 1.0 / n_runs))
+        return self.drawn(np.ones((1, len(self.actions))))
 
-    def weighted(self, weights: Floats) -> Curves:
-        """Means with the weights (b, r) of the runs."""
+    def drawn(self, times: Floats) -> Curves:
+        """Means where each run is there so many times (b, r)."""
+        trials = BLOCK * times.sum(axis=1, keepdims=True)
         return Curves(
-            weights @ self.actions,
-            weights @ self.unsolved,
-            _shares(weights, self.easy),
-            _shares(weights, self.difficult),
-            _shares(weights, self.easy_grips),
-            _shares(weights, self.difficult_grips),
+            times @ self.actions / trials,
+            times @ self.unsolved / trials,
+            _shares(times, self.easy),
+            _shares(times, self.difficult),
+            _shares(times, self.easy_grips),
+            _shares(times, self.difficult_grips),
             self.switch,
         )
-
-
-def resampling_weights(
-    n_runs: int, rng: np.random.Generator, n: int = RESAMPLES
-) -> Floats:
-    """Weights (n, n_runs) of the runs in n resamples; each row adds up to one."""
-    drawn = rng.multinomial(n_runs, np.full(n_runs, 1.0 / n_runs), size=n)
-    return drawn / n_runs
 
 
 def in_sets(values: NDArray[np.generic]) -> NDArray[np.generic]:
@@ -131,32 +111,26 @@ def mean_of_sets(shares: Floats) -> Floats:
     return np.divide(total, n_there, out=np.full_like(total, np.nan), where=n_there > 0)
 
 
-def interval(estimate: float, resampled: Floats) -> Interval:
-    """The percentile interval of an estimate from its resamples (b,).
-
-    A resample is NaN where it lacks what is measured.
-    """
-    there = resampled[~np.isnan(resampled)]
-    lacking = 1.0 - len(there) / len(resampled)
-    low, high = band(there) if len(there) else (np.nan, np.nan)
-    return Interval(float(estimate), float(low), float(high), lacking)
+def moving_means(shares: Floats) -> Floats:
+    """Means (b, s - 4) over five successive sets of shares (b, s), or over all."""
+    length = min(SMOOTHED, shares.shape[1])
+    windows = np.lib.stride_tricks.sliding_window_view(shares, length, axis=1)
+    return mean_of_sets(windows)
 
 
-def band(resampled: Floats) -> Floats:
-    """Pointwise bounds (2, ...) of curves resampled along their first axis (b, ...)."""
-    tail = (1 - LEVEL) / 2
-    return np.quantile(resampled, [tail, 1 - tail], axis=0, method="inverted_cdf")
+def _sums(values: NDArray[np.generic]) -> Floats:
+    """Sums (runs, sets) over the trials of each set."""
+    return in_sets(values).sum(axis=2).astype(np.float64)
 
 
 def _counts(masks: list[NDArray[np.bool_]]) -> Floats:
     """Trials per run, mask and set."""
-    counted = [in_sets(mask).sum(axis=2) for mask in masks]
-    return np.stack(counted, axis=1).astype(np.float64)
+    return np.stack([_sums(mask) for mask in masks], axis=1)
 
 
-def _shares(weights: Floats, counts: Floats) -> Floats:
-    """Shares (b, k, s) from weights (b, r) of the runs and their counts (r, k, s)."""
-    totals = np.tensordot(weights, counts, axes=1)
+def _shares(times: Floats, counts: Floats) -> Floats:
+    """Shares (b, k, s) of counts (r, k, s), each run there so many times (b, r)."""
+    totals = np.tensordot(times, counts, axes=1)
     trials = totals.sum(axis=1, keepdims=True)
     shares = np.full_like(totals, np.nan)
     return np.divide(totals, trials, out=shares, where=trials > 0)

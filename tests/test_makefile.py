@@ -1,0 +1,60 @@
+"""What the Makefile's targets hand over to the scripts behind them."""
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+
+pytestmark = pytest.mark.skipif(not shutil.which("make"), reason="make is not there")
+
+
+@pytest.fixture
+def make(tmp_path):
+    """Run a target with a Python that only says what it was told to do."""
+    python = tmp_path / "bin" / "python"
+    python.parent.mkdir()
+    python.write_text('#!/bin/sh\nfor word in "$@"; do echo "$word"; done\n')
+    python.chmod(0o755)
+    for done in (".runtime-installed", ".gl-checked"):
+        (tmp_path / done).touch()
+    # What a make above this one was told is none of its business.
+    environment = {k: v for k, v in os.environ.items() if not k.startswith("MAKE")}
+
+    def run(*words):
+        done = subprocess.run(
+            ["make", f"VENV={tmp_path}", *words],
+            cwd=ROOT,
+            env=environment,
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        return done.stdout.splitlines()
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("words", "options"),
+    [
+        ("live", "--runs=20 --trials=1000"),
+        ("live RUNS=5", "--runs=5 --trials=1000"),
+        (
+            "live RUNS=5 TRIALS=430 OUT=some/folder ARGS=--jobs=1",
+            "--runs=5 --trials=430 --out=some/folder --jobs=1",
+        ),
+    ],
+)
+def test_live_runs_are_as_many_as_asked(make, words, options):
+    assert make(*words.split()) == ["scripts/live_runs.py", *options.split()]
+
+
+def test_other_targets_have_their_own_numbers(make):
+    runs = ["scripts/reproduce.py", "--runs=1000", "--trials=1000"]
+    assert make("reproduce") == runs
+    assert make("reproduce", "OUT=a folder") == [*runs, "--out=a folder"]
+    assert make("train", "TRIALS=20") == ["scripts/train.py", "--trials=20"]
