@@ -15,8 +15,9 @@ from prospect_mj.experiment.paper.strategies import Strategy
 GONE = 0.02
 """Share of difficult trials at which a correction counts as gone: exploration alone
 makes 0.05 / 6 = 0.8 % of first grasps wrong ones."""
-FADED = 0.25
-"""Part of its own largest share at which a correction counts as faded."""
+FADED = 0.5
+"""Part of its own largest share at which a correction counts as faded. At a quarter the
+early ones would be as rare as exploration alone makes them, and stay about there."""
 
 
 def correction_margin(pair: Pair) -> Floats:
@@ -82,7 +83,7 @@ def early_faded(pair: Pair) -> Floats:
 
     The first trial of the first five successive sets of ten after the pretraining from
     which on the mean share of early corrections in the difficult trials of five sets
-    stays at or below a quarter of its largest value.
+    stays at or below a half of its largest value.
     """
     return _faded(pair.dominant, Strategy.EARLY)
 
@@ -92,7 +93,7 @@ def late_faded(pair: Pair) -> Floats:
 
     The first trial of the first five successive sets of ten after the pretraining from
     which on the mean share of late corrections in the difficult trials of five sets
-    stays at or below a quarter of its largest value.
+    stays at or below a half of its largest value.
     """
     return _faded(pair.dominant, Strategy.LATE)
 
@@ -100,8 +101,8 @@ def late_faded(pair: Pair) -> Floats:
 def late_outlasts_early_relatively(pair: Pair) -> Floats:
     """Late corrections outlast early ones, each by its own largest share.
 
-    Trials from where early corrections are faded, to a quarter of their own largest
-    share, to where late ones are.
+    Trials from where early corrections are faded, to a half of their own largest share,
+    to where late ones are.
     """
     return _lag(early_faded(pair), late_faded(pair))
 

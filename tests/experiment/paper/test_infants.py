@@ -82,10 +82,10 @@ def test_early_corrections_that_go_first_are_the_other_order():
 
 
 def test_an_order_that_depends_on_the_measure_is_undecided():
-    # Early ones are rare and stay at a half of their largest share, late ones fall to a
-    # small part of it: early ones fall below 2 % first, late ones below a quarter.
+    # Early ones are rare and stay at two thirds of their largest share, late ones fall to
+    # a small part of it: early ones fall below 2 % first, late ones below a half.
     differs = planted(
-        (400, 600, 0.03, 0.7), (600, 850, 0.015, 0.04), (850, 1000, 0.0, 0.0)
+        (400, 600, 0.024, 0.7), (600, 850, 0.016, 0.04), (850, 1000, 0.0, 0.0)
     )
     assert verdicts(differs)[LATE_FIRST] == Verdict.OPEN
 

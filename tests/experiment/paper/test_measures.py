@@ -189,10 +189,10 @@ def test_a_correction_is_gone_where_it_stays_away(early, late, gone):
     np.testing.assert_array_equal(found, gone)
 
 
-def test_a_correction_is_faded_at_a_quarter_of_its_own_largest_share():
-    # In means of five sets each is at a quarter of its largest where 0.25 is of 1.
-    falls = np.array([0.2] * 5 + [1.0] * 6 + [0.25] * 9)
-    sooner = np.array([0.2] * 5 + [1.0] * 5 + [0.25] * 10)
+def test_a_correction_is_faded_at_a_half_of_its_own_largest_share():
+    # In means of five sets each is at a half of its largest where 0.5 is of 1.
+    falls = np.array([0.2] * 5 + [1.0] * 6 + [0.5] * 9)
+    sooner = np.array([0.2] * 5 + [1.0] * 5 + [0.5] * 10)
     pair = on_corrections((0.04 * sooner).tolist(), (0.3 * falls).tolist())
     assert corrections.early_largest(pair) == pytest.approx([0.04])
     assert corrections.late_largest(pair) == pytest.approx([0.3])
