@@ -1,6 +1,6 @@
 """Run a plan on the live simulation: the loop from sensors to servos."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -22,8 +22,12 @@ from prospect_mj.control.controller import CONTROL_PERIOD, Controller
 from prospect_mj.control.kinematics import KinematicTwin
 from prospect_mj.planning.settings import PlannerSettings
 from prospect_mj.robot.names import SIDES, Side
-from prospect_mj.robot.torso import Torso
+from prospect_mj.robot.torso import Reading, Torso
 from prospect_mj.sim.simulation import Simulation
+
+Observer = Callable[[Sequence[Controller], Reading], None]
+"""Told in every control period, before the physics goes on, which controllers were
+updated with which reading; must not change either."""
 
 _PLANS: dict[Action, tuple[Callable[[Robot, Side], Plan], Side]] = {
     Action.GRASP_LEFT: (grasp, "left"),
@@ -48,6 +52,7 @@ class ActionRunner:
         twin: the kinematic twin that all controllers share.
         arms: the kinematics of both arms.
         belief: what the robot knows of the jar in this trial.
+        observer: see `Observer`; None: nobody watches.
     """
 
     def __init__(
@@ -68,6 +73,7 @@ class ActionRunner:
         self._workspace = workspace(props)
         self._nominal = props.pedestal.nominal
         self.belief = Belief()
+        self.observer: Observer | None = None
 
     def begin(self, belief: Belief) -> None:
         """Start a trial with what the first look told, or go on with another belief."""
@@ -113,6 +119,8 @@ class ActionRunner:
                     arm.command_joints(targets.joints)
                 if targets.fingers is not None:
                     arm.command_fingers(targets.fingers)
+            if self.observer is not None:
+                self.observer(running, reading)
             self._simulation.step(self._substeps)
         self._feel()
 

@@ -9,7 +9,7 @@ from prospect_mj.control.arm_control import ArmControl
 from prospect_mj.control.controller import CONTROL_PERIOD, Controller
 from prospect_mj.control.grip_watch import GripWatch
 from prospect_mj.control.hand_servo import HandServo, MotionSettings, PoseError
-from prospect_mj.control.result import Status, Targets
+from prospect_mj.control.result import Measured, Status, Targets
 from prospect_mj.robot.torso import ArmReading, Reading
 
 _LEVER = 0.1
@@ -52,7 +52,9 @@ class CartesianMotion(Controller):
 
     def _law(self, reading: Reading) -> Targets:
         own = reading[self.side]
-        self._judge(self._servo.error(self._target), self._speed(), own)
+        error = self._servo.error(self._target)
+        self.measured = Measured(position_error=error.position, angle_error=error.angle)
+        self._judge(error, self._speed(), own)
         if self.result is not None:
             return Targets()
         return Targets(joints=self._servo.step(own, self._target))

@@ -3,7 +3,9 @@
 from abc import ABC, abstractmethod
 from collections.abc import Generator
 
-from prospect_mj.control.result import ControlResult, Status, Targets
+import numpy as np
+
+from prospect_mj.control.result import ControlResult, Measured, Status, Targets
 from prospect_mj.robot.names import Side
 from prospect_mj.robot.torso import ArmReading, Reading
 
@@ -22,6 +24,7 @@ class Controller(ABC):
 
     Attributes:
         result: None while it runs.
+        measured: what its law measured in the last control period.
     """
 
     def __init__(self, side: Side, time_budget: float) -> None:
@@ -29,6 +32,7 @@ class Controller(ABC):
         self.side: Side = side
         self.time_budget = time_budget
         self.result: ControlResult | None = None
+        self.measured = Measured()
         self._ticks = 0
 
     @property
@@ -36,8 +40,14 @@ class Controller(ABC):
         """How long it has run [s]."""
         return self._ticks * CONTROL_PERIOD
 
+    @property
+    def planned_path(self) -> np.ndarray | None:
+        """Joint angles (n, 7) [rad] that it plans to go through, if it plans."""
+        return None
+
     def update(self, reading: Reading) -> Targets:
         """One control period: sense, and either finish or ask for servo targets."""
+        self.measured = Measured()
         targets = self._law(reading)
         self._ticks += 1
         if self.result is None and self.seconds >= self.time_budget:

@@ -28,7 +28,7 @@ from prospect_mj.control.controller import (
 )
 from prospect_mj.control.grasp_settings import GraspResult, GraspSettings
 from prospect_mj.control.hand_servo import HandServo, MotionSettings
-from prospect_mj.control.result import Status, Targets
+from prospect_mj.control.result import Measured, Status, Targets
 from prospect_mj.robot.torso import ArmReading, Touch
 
 _CORRECTION = MotionSettings(
@@ -144,6 +144,7 @@ class GraspController(ProceduralController):
         change = 0.0 if before is None else residual.value - before.residual.value
         friction = required_friction(touch.position, touch.normal)
         self._trajectory.append((self.seconds, residual.value))
+        self.measured = Measured(residual=residual.value)
         self._last = Probe(residual, change / CONTROL_PERIOD, friction)
         return self._last
 
@@ -158,6 +159,9 @@ class GraspController(ProceduralController):
             own = yield Targets(fingers=apart)
         for _ in range(round(_CORRECTION.time_budget / CONTROL_PERIOD)):
             error = self._servo.error(target)
+            self.measured = Measured(
+                position_error=error.position, angle_error=error.angle
+            )
             if (
                 error.position < _CORRECTION.position_tolerance
                 and error.angle < _CORRECTION.angle_tolerance

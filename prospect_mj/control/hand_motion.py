@@ -3,7 +3,7 @@
 import numpy as np
 
 from prospect_mj.control.controller import CONTROL_PERIOD, Controller
-from prospect_mj.control.result import Status, Targets
+from prospect_mj.control.result import Measured, Status, Targets
 from prospect_mj.robot import posture
 from prospect_mj.robot.names import Side
 from prospect_mj.robot.torso import Reading
@@ -35,7 +35,9 @@ class HandMotion(Controller):
 
     def _law(self, reading: Reading) -> Targets:
         own = reading[self.side]
-        if np.abs(own.fingers - self._angles).max() < TOLERANCE:
+        error = float(np.abs(own.fingers - self._angles).max())
+        self.measured = Measured(joint_error=error)
+        if error < TOLERANCE:
             self._finish(Status.CONVERGED)
         step = OPENING_SPEED * CONTROL_PERIOD
         towards = np.clip(self._angles - own.finger_command, -step, step)

@@ -12,7 +12,7 @@ from prospect_mj.control.controller import Controller
 from prospect_mj.control.grip_watch import GripWatch
 from prospect_mj.control.hand_servo import HandServo, MotionSettings
 from prospect_mj.control.posture_motion import PostureMotion, PostureSettings
-from prospect_mj.control.result import Status, Targets
+from prospect_mj.control.result import Measured, Status, Targets
 from prospect_mj.control.straight_reach import GROSS
 from prospect_mj.control.transit import Transit
 from prospect_mj.planning.goals import NATURAL, THOROUGH, GoalSearch, GoalSet, goals
@@ -29,9 +29,16 @@ class _AlongStreamline(Controller):
     transit: Transit
     _grip: GripWatch
 
+    @property
+    def planned_path(self) -> np.ndarray | None:
+        """Joint angles (n, 7) [rad] of the streamline, until the goal is near."""
+        following = self.transit.plan is not None and not self.transit.arrived
+        return self.transit.plan.path if following else None
+
     def _travel(self, own: ArmReading) -> Targets:
         """One control period of the transit; ends the controller if that fails."""
         targets = self.transit.step(own)
+        self.measured = Measured(way_left=self.transit.way_left)
         if self._grip.lost(own.touch):
             self._finish(Status.LOST, GripWatch.REASON)
         elif self.transit.failure is not None:
@@ -84,7 +91,11 @@ class HarmonicReach(_AlongStreamline, CartesianMotion):
         if self.transit.arrived:
             return super()._law(reading)
         targets = self._travel(own)
-        if self.result is None and self._within(self._servo.error(self._target)):
+        error = self._servo.error(self._target)
+        self.measured = replace(
+            self.measured, position_error=error.position, angle_error=error.angle
+        )
+        if self.result is None and self._within(error):
             self._finish(Status.CONVERGED)
         if self.transit.arrived:
             # The straight law goes on from here, towards the same configuration.

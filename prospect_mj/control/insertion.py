@@ -24,7 +24,7 @@ from prospect_mj.control.insertion_settings import (
     InsertionResult,
     InsertionSettings,
 )
-from prospect_mj.control.result import Status, Targets
+from prospect_mj.control.result import Measured, Status, Targets
 from prospect_mj.robot.torso import ArmReading, Reading
 
 Stage = Generator[Targets, ArmReading, ArmReading]
@@ -99,7 +99,9 @@ class InsertionController(ProceduralController):
         """Force of the surroundings on the held object (3,) [N], world frame."""
         # The flange carries hand and object less what the surroundings push up with.
         force = self._tare - self._wrist_force(own)
-        self._peak = max(self._peak, float(np.linalg.norm(force)))
+        strength = float(np.linalg.norm(force))
+        self.measured = Measured(contact_force=strength)
+        self._peak = max(self._peak, strength)
         return force
 
     def _supported(self, own: ArmReading) -> bool:

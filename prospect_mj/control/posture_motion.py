@@ -7,7 +7,7 @@ import numpy as np
 from prospect_mj.control.arm_control import ArmControl
 from prospect_mj.control.controller import CONTROL_PERIOD, Controller
 from prospect_mj.control.grip_watch import GripWatch
-from prospect_mj.control.result import Status, Targets
+from prospect_mj.control.result import Measured, Status, Targets
 from prospect_mj.robot.torso import ArmReading, Reading
 
 
@@ -56,7 +56,8 @@ class PostureMotion(Controller):
 
     def _law(self, reading: Reading) -> Targets:
         own = reading[self.side]
-        error = np.abs(own.joints - self._posture).max()
+        error = float(np.abs(own.joints - self._posture).max())
+        self.measured = Measured(joint_error=error)
         speed = np.abs(own.velocities).max()
         if error < self._settings.tolerance and speed < self._settings.rest_speed:
             self._finish(Status.CONVERGED)

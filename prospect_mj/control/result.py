@@ -37,6 +37,26 @@ class ControlResult:
 
 
 @dataclass(frozen=True)
+class Measured:
+    """What a control law measured in one control period; None = not its affair."""
+
+    position_error: float | None = None
+    """From the hand to its target [m]."""
+    angle_error: float | None = None
+    """The same about any axis, roll left out where it is free [rad]."""
+    joint_error: float | None = None
+    """Of the joint, or finger, that is farthest from its target [rad]."""
+    way_left: float | None = None
+    """Arc length of the streamline that is left to the goal [rad]."""
+    residual: float | None = None
+    """eps of the contacts [1]."""
+    contact_force: float | None = None
+    """Of the surroundings on what the hand inserts [N]."""
+    load: float | None = None
+    """What hangs in the hand, its own weight included [N]."""
+
+
+@dataclass(frozen=True)
 class Targets:
     """What a controller asks of its arm in one control period; None = as before."""
 

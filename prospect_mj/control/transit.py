@@ -63,6 +63,7 @@ class Transit:
     Attributes:
         plan: the way that it follows; None before the first look.
         arrived: whether a goal is near enough to hand over.
+        way_left: arc length to the goal along the plan [rad]; None before there is one.
         failure: how and why it came to an end elsewhere.
     """
 
@@ -83,6 +84,7 @@ class Transit:
         self.plan: GrossPlan | None = None
         self.arrived, self._blocked = False, False
         self.failure: tuple[Status, str] | None = None
+        self.way_left: float | None = None
         self._velocity = np.zeros_like(speed)
         self._reference: np.ndarray | None = None
         self._ticks, self._shortest, self._idle = 0, np.inf, 0.0
@@ -104,7 +106,8 @@ class Transit:
             return None
         left = np.linalg.norm(self.goal - own.joints)
         self.arrived = bool(left < self._settings.handover)
-        self._watch(self.plan.length_left(own.joints))
+        self.way_left = self.plan.length_left(own.joints)
+        self._watch(self.way_left)
         if self.arrived or self.failure:
             return None
         return self._towards(own)

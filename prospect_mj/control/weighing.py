@@ -6,7 +6,7 @@ import numpy as np
 
 from prospect_mj.control.arm_control import ArmControl
 from prospect_mj.control.controller import CONTROL_PERIOD, Controller
-from prospect_mj.control.result import ControlResult, Status, Targets
+from prospect_mj.control.result import ControlResult, Measured, Status, Targets
 from prospect_mj.robot import barrett_hand
 from prospect_mj.robot.torso import Reading
 
@@ -54,6 +54,7 @@ class Weighing(Controller):
         own = reading[self.side]
         force = self._arm.twin.wrist_rotation(self.side) @ own.wrist_force
         self._samples.append(float(force[2]))
+        self.measured = Measured(load=self._samples[-1])
         if len(self._samples) >= self._n:
             self._conclude(bool(own.touch.found.all()))
         return Targets()

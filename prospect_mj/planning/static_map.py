@@ -7,6 +7,7 @@ import tempfile
 from pathlib import Path
 from tokenize import TokenError
 
+import numba
 import numpy as np
 import platformdirs
 
@@ -66,7 +67,9 @@ def _content_hash(
     body: ArmBody, fixed: np.ndarray, grid: JointGrid, margin: float
 ) -> str:
     """SHA-256 of all that the result depends on."""
-    digest = hashlib.sha256(kernel_cache.sources().encode())
+    # What one version compiles may round otherwise than what another one does.
+    compiled = kernel_cache.sources(), numba.__version__, np.__version__
+    digest = hashlib.sha256(" ".join(compiled).encode())
     for part in (*body.arrays, fixed, grid.low, grid.high, grid.cells, margin):
         content = np.ascontiguousarray(part)
         digest.update(f"{content.dtype}{content.shape}".encode())

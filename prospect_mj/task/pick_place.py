@@ -15,7 +15,7 @@ from prospect_mj.control.arm_control import GROSS_MOTIONS, GrossMotion
 from prospect_mj.planning.settings import PlannerSettings
 from prospect_mj.robot.names import Side
 from prospect_mj.robot.torso import Torso
-from prospect_mj.sim.camera import EyeSettings, StereoCamera
+from prospect_mj.sim.camera import EyeSettings, StereoCamera, StereoPair
 from prospect_mj.sim.scene import SceneSettings
 from prospect_mj.sim.simulation import Simulation
 from prospect_mj.supervisor.monitor import Monitor
@@ -76,8 +76,10 @@ class PickPlaceTask(Closing):
         monitor: follows each trial through the supervisor's automaton.
         camera: the stereo pair.
         vision: makes a look of an image pair.
-        presentation: of the present trial; None before the first and after `restore`.
-        look: what vision made of it.
+        presentation: of the present trial; None before the first and after `restore`,
+            as are the images and the look.
+        images: what both eyes saw of it.
+        look: what vision made of that.
     """
 
     def __init__(self, settings: TaskSettings | None = None) -> None:
@@ -102,6 +104,7 @@ class PickPlaceTask(Closing):
             self.camera.left, self.camera.right, self.settings.vision
         )
         self.presentation: Presentation | None = None
+        self.images: StereoPair | None = None
         self.look: Look | None = None
 
     def reset(self, orientation: Orientation, rng: np.random.Generator) -> Look:
@@ -118,10 +121,11 @@ class PickPlaceTask(Closing):
         spread = self.settings.presentation
         presentation = draw_presentation(spread, nominal, orientation, rng)
         self.simulation.reset(presentation.placement, presentation.lamp_gain)
-        look = self.vision.look(self.camera.capture(self.simulation.data, rng))
+        images = self.camera.capture(self.simulation.data, rng)
+        look = self.vision.look(images)
         self.runner.begin(Belief(seen=self._seen(look)))
         self.monitor.begin(self._observe())
-        self.presentation, self.look = presentation, look
+        self.presentation, self.images, self.look = presentation, images, look
         return look
 
     def _seen(self, look: Look) -> SeenJar | None:
@@ -175,7 +179,7 @@ class PickPlaceTask(Closing):
         self.simulation.restore(state.physics)
         self.runner.begin(state.belief.copy())
         self.monitor.resume(state.predicates)
-        self.presentation, self.look = None, None
+        self.presentation, self.images, self.look = None, None, None
 
     def _observe(self) -> PredicateState:
         return self._sensor.observe(self._torso.read(), self.runner.belief)

@@ -102,6 +102,16 @@ def test_other_code_is_another_question(scene, folder, computed, monkeypatch):
     assert len(computed) == 2
 
 
+@pytest.mark.parametrize("compiler", [static_map.numba, static_map.np])
+def test_another_compiler_is_another_question(
+    compiler, scene, folder, computed, monkeypatch
+):
+    static_room(*question(scene))
+    monkeypatch.setattr(compiler, "__version__", "0.0.1")
+    static_room(*question(scene))
+    assert len(computed) == 2
+
+
 DAMAGES = {
     "empty": lambda whole: b"",
     "cut off": lambda whole: whole[: len(whole) // 2],
