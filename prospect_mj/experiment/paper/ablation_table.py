@@ -8,7 +8,7 @@ from prospect_mj.experiment.paper.ablation import Row, by_factor, default_of, fa
 
 
 def table(rows: Sequence[Row]) -> pa.Table:
-    """A row per choice: its distance, and every statement with its verdict.
+    """A row per choice: its distance, and every measure with its verdict.
 
     A number has three columns, its own and those of its interval's bounds; what
     follows from a statement is named for its measure.
@@ -29,11 +29,11 @@ def _columns(row: Row, default: Row) -> dict[str, object]:
         "choice": row.variant.choice,
         "default": row.is_default,
     }
-    numbers = {judged.statement.name: judged.measured for judged in row.judgements}
+    numbers = {judged.measure.name: judged.measured for judged in row.judgements}
     beside = {"distance": row.distance, "farther": farther(row, default)}
     for name, measured in {**numbers, **beside}.items():
         names = (name, f"{name}_low", f"{name}_high")
         columns |= dict(zip(names, measured[:3], strict=True))
     for judged in row.judgements:
-        columns[f"{judged.statement.name}_verdict"] = str(judged.verdict)
+        columns[f"{judged.measure.name}_verdict"] = str(judged.verdict)
     return columns

@@ -19,6 +19,8 @@ from prospect_mj.experiment.paper.strategies import Grip, Strategy, easy, first_
 SMOOTHED = 5
 """Sets per moving mean where an extreme is sought: the largest or smallest of so many
 single sets is the one with most noise."""
+LONG = 10
+"""Sets of the hundred trials before a change, or at the end."""
 
 
 @dataclass(frozen=True)
@@ -27,6 +29,10 @@ class Curves:
 
     actions: Floats
     """(b, s) [actions] per trial."""
+    easy_actions: Floats
+    """(b, s) [actions] per easy trial; NaN without such trials."""
+    difficult_actions: Floats
+    """(b, s) [actions] per difficult trial; NaN without such trials."""
     unsolved: Floats
     """(b, s), share of trials cut off."""
     easy: Floats
@@ -41,6 +47,11 @@ class Curves:
     switch: int
     """Sets of pretraining."""
 
+    def middle(self, numbers: NDArray[np.intp]) -> Floats:
+        """Trials in the middle of moving means after the pretraining, by number."""
+        length = min(SMOOTHED, self.actions.shape[1] - self.switch)
+        return BLOCK * (self.switch + numbers + length / 2)
+
 
 @dataclass(frozen=True)
 class RunCounts:
@@ -48,6 +59,10 @@ class RunCounts:
 
     actions: Floats
     """(r, s) [actions]."""
+    easy_actions: Floats
+    """(r, s) [actions] in easy trials."""
+    difficult_actions: Floats
+    """(r, s) [actions] in the others."""
     unsolved: Floats
     """(r, s), trials cut off."""
     easy: Floats
@@ -70,6 +85,8 @@ class RunCounts:
         began = [grip == kind for kind in Grip]
         return cls(
             actions=_sums(population.n_actions),
+            easy_actions=_sums(population.n_actions * is_easy),
+            difficult_actions=_sums(population.n_actions * ~is_easy),
             unsolved=_sums(~population.solved),
             easy=_counts([was & is_easy for was in used]),
             difficult=_counts([was & ~is_easy for was in used]),
@@ -87,6 +104,8 @@ class RunCounts:
         trials = BLOCK * times.sum(axis=1, keepdims=True)
         return Curves(
             times @ self.actions / trials,
+            ratio(times @ self.easy_actions, times @ self.easy.sum(axis=1)),
+            ratio(times @ self.difficult_actions, times @ self.difficult.sum(axis=1)),
             times @ self.unsolved / trials,
             _shares(times, self.easy),
             _shares(times, self.difficult),
@@ -109,6 +128,12 @@ def mean_of_sets(shares: Floats) -> Floats:
     n_there = there.sum(axis=-1)
     total = np.where(there, shares, 0.0).sum(axis=-1)
     return np.divide(total, n_there, out=np.full_like(total, np.nan), where=n_there > 0)
+
+
+def ratio(values: Floats, references: Floats) -> Floats:
+    """NaN unless the reference is above zero and finite."""
+    usable = np.isfinite(references) & (references > 0)
+    return np.divide(values, references, out=np.full_like(values, np.nan), where=usable)
 
 
 def moving_means(shares: Floats) -> Floats:

@@ -22,7 +22,6 @@ SMALL = 9
 """Size of words in a figure [points]."""
 
 _WIDTH = 8.0
-_LEFT_OUT = "random orientations (no such trials in the pretraining)"
 
 
 class Heading(NamedTuple):
@@ -58,35 +57,38 @@ def panels(heading: Heading, height: float, ratios: tuple[float, ...]) -> list[A
 
 
 def set_trials(axes: list[Axes], heading: Heading, trials: Floats) -> None:
-    """Set the axis of trials to sets of ten that begin with `trials` (s,).
+    """Set the axis of trials up to the last set of ten that begins with `trials` (s,).
 
-    Pretraining is shaded, but left out where nothing is drawn in it.
+    Pretraining is shaded, also where nothing is drawn in it, so that all figures have
+    the same axis.
     """
-    start = heading.pretrain if trials[0] >= heading.pretrain else 0
-    axes[0].set_xlim(start, trials[-1] + BLOCK)
+    axes[0].set_xlim(0, trials[-1] + BLOCK)
     if not heading.pretrain:
         return
     for one in axes:
         one.axvspan(0, heading.pretrain, color=SHADE, lw=0, zorder=0)
-    if start:
-        _write_phase(axes[0], start, _LEFT_OUT)
-        return
-    _write_phase(axes[0], 0, "pretraining: one orientation")
+    shown = "one orientation" if trials[0] < heading.pretrain else "no such trials"
+    _write_phase(axes[0], 0, f"pretraining: {shown}")
     _write_phase(axes[0], heading.pretrain, "random orientations")
 
 
-def draw_floor(axes: Axes, trials: Floats, optimum: Floats, more: str = "") -> None:
+def draw_floor(
+    axes: Axes, trials: Floats, optimum: Floats, exploring: float | None = None
+) -> None:
     """Draw the best possible mean of every set of ten.
 
     Args:
         axes: of actions per trial.
         trials: (s,), the first one of each set.
         optimum: (s,) [actions].
-        more: words after the last number.
+        exploring: the best possible for who explores as the learner does [actions].
     """
     edges = np.append(trials, trials[-1] + BLOCK)
     axes.stairs(optimum, edges, baseline=None, color=INK, linewidth=1)
-    words = f"best possible: {optimum[-1]:.2f}{more}"
+    words = f"best possible: {optimum[-1]:.2f}"
+    if exploring is not None:
+        axes.axhline(exploring, color=INK, linewidth=0.8, linestyle=(0, (1, 1.5)))
+        words += f"\nwith exploration: {exploring:.2f} (dotted)"
     write(
         axes,
         words,

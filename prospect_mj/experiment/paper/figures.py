@@ -66,8 +66,7 @@ def actions(
     _draw_actions_axis(axes, cap)
     for mark in marks:
         _draw_mark(axes, mark)
-    more = f"\nwith exploration: {exploring:.2f}"
-    draw_floor(axes, trials, data["optimum"], more)
+    draw_floor(axes, trials, data["optimum"], exploring)
     _draw_near_optimal(axes, trials)
     for part in segments(heading, trials):
         _draw_curve(axes, *(data[n][part] for n in ("trial", "actions", "low", "high")))

@@ -11,7 +11,7 @@ from math import inf
 from typing import NamedTuple
 
 from prospect_mj.experiment.paper.bootstrap import Floats, interval
-from prospect_mj.experiment.paper.sample import Sample, estimate
+from prospect_mj.experiment.paper.sample import Sample
 from prospect_mj.experiment.paper.stages import Shares, Stages
 from prospect_mj.experiment.paper.statements import EARLY_FIRST
 from prospect_mj.experiment.paper.target import Target, Verdict, agreed
@@ -63,10 +63,13 @@ _EASY: Sequence[_Condition] = (
     (lambda ages: 1 - ages.height.easy_nonradial, _MOST),
     (lambda ages: 1 - ages.end.easy_nonradial, _MOST),
 )
+_DOMINANCE: Sequence[_Condition] = (
+    (lambda ages: ages.height.early + ages.height.late - ages.height.optimal, _MORE),
+)
 
 
 def orders(sample: Sample, stages: Stages) -> list[Order]:
-    """Hold the four orders against the agent's.
+    """Hold the five orders against the agent's.
 
     Args:
         sample: for when corrections are gone.
@@ -95,8 +98,14 @@ def orders(sample: Sample, stages: Stages) -> list[Order]:
             _all(stages, _EASY),
         ),
         Order(
+            "the nonradial, corrective strategies are dominant in young children",
+            "more corrections than optimal ones in difficult trials of the second "
+            "stage",
+            _all(stages, _DOMINANCE),
+        ),
+        Order(
             "late corrections disappear before early ones",
-            "the same by both measures of when a correction is gone",
+            "the same by all measures of when a correction is gone",
             _late_first(sample),
         ),
     ]
@@ -116,7 +125,6 @@ def _all(stages: Stages, conditions: Sequence[_Condition]) -> Verdict:
 
 
 def _late_first(sample: Sample) -> Verdict:
-    """What both measures say."""
-    return agreed(
-        _LATE_FIRST.verdict(estimate(said.measure, sample)) for said in EARLY_FIRST
-    )
+    """What all measures say."""
+    lags = (measure.estimate(sample) for measure in EARLY_FIRST.measures)
+    return agreed(map(_LATE_FIRST.verdict, lags))

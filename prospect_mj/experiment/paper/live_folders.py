@@ -107,6 +107,10 @@ def _check_same(
             raise RunFolderError(
                 f"{refused} {name} changed between the recording and it"
             )
+    # Older runs did not note it.
+    learner = fingerprint.learner_digest()
+    if stored.sha256.get(fingerprint.LEARNER, learner) != learner:
+        raise RunFolderError(f"{refused} the learner's code changed since")
     for package, recorded in physics.versions.items():
         if (found := stored.versions.get(package)) != recorded:
             raise RunFolderError(

@@ -2,12 +2,12 @@
 
 from collections.abc import Iterable, Sequence
 
-from prospect_mj.experiment.paper.sample import Measure, definition, title
+from prospect_mj.experiment.paper.measure import Measure
 
 
 def definitions(measures: Iterable[Measure]) -> str:
     """A list of measures with their definitions."""
-    return "\n".join(f"- *{title(m)}*: {definition(m)}" for m in measures)
+    return "\n".join(f"- *{each.title}*: {each.definition}" for each in measures)
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:

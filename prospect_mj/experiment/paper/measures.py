@@ -1,123 +1,149 @@
-"""What is measured on the learning curves; the report quotes the definitions from here.
+"""What is measured on the learning curves; see `measure`.
 
-Each measure takes the curves of both scenarios, b times resampled, and gives a value
-per resample (b,): infinity where it is never reached, NaN where there is nothing to be
-measured. The first line of its docstring is its name, the second paragraph its
-definition. Those of corrections are in `corrections`.
+The measures of corrections are in `corrections`, those of easy trials in `easy_trials`.
 """
 
 import numpy as np
 
 from prospect_mj.experiment.learning_curve import BLOCK, NEAR_OPTIMAL, settled
 from prospect_mj.experiment.paper.bootstrap import Floats
-from prospect_mj.experiment.paper.curves import (
-    SMOOTHED,
-    Curves,
-    mean_of_sets,
-    moving_means,
-)
+from prospect_mj.experiment.paper.curves import LONG, Curves, moving_means, ratio
+from prospect_mj.experiment.paper.measure import Measure, measure
+from prospect_mj.experiment.paper.quantity import Kind
 from prospect_mj.experiment.paper.sample import Pair
-from prospect_mj.experiment.paper.strategies import Strategy
 
-RATE_LEVELS = (5.0, 3.0)
+RATE_LEVELS = ((6.0, 3.0), (5.0, 3.0), (5.0, 2.5), (4.0, 2.4))
 """Mean actions between which the rate of learning is taken."""
-_LONG = 10
 
 
+def _end_of_baseline(pair: Pair) -> float:
+    return BLOCK * pair.baseline.actions.shape[1]
+
+
+def _end_of_pretraining(pair: Pair) -> float:
+    return BLOCK * pair.dominant.switch
+
+
+@measure(
+    Kind.TRIAL,
+    "Near-optimal without a dominant hand",
+    "The first trial of the first set of ten from which on every set has a mean over "
+    "all runs of at most 2.4 actions.",
+    end=_end_of_baseline,
+)
 def near_optimal(pair: Pair) -> Floats:
-    """Near-optimal without a dominant hand.
-
-    The first trial of the first set of ten from which on every set has a mean over all
-    runs of at most 2.4 actions.
-    """
+    """(b,) [trials]."""
     return BLOCK * settled(pair.baseline.actions, NEAR_OPTIMAL)
 
 
+@measure(
+    Kind.TRIAL,
+    "Near-optimal in pretraining",
+    "The same as near-optimal without a dominant hand, over the sets of the "
+    "pretraining.",
+    end=_end_of_pretraining,
+)
 def pretraining_near_optimal(pair: Pair) -> Floats:
-    """Near-optimal in pretraining.
-
-    The same as near-optimal without a dominant hand, over the sets of the pretraining.
-    """
+    """(b,) [trials]."""
     return BLOCK * settled(_before(pair.dominant), NEAR_OPTIMAL)
 
 
-def first_unsolved(pair: Pair) -> Floats:
-    """First trials cut off.
+@measure(
+    Kind.RATIO,
+    "Near-optimal in pretraining, relative",
+    "The trial from which on the pretraining is near-optimal, divided by that without "
+    "a dominant hand.",
+)
+def pretraining_ratio(pair: Pair) -> Floats:
+    """(b,) [1]; NaN unless both are reached."""
+    return _reached(ratio(pretraining_near_optimal(pair), near_optimal(pair)))
 
-    The share of the first ten trials, without a dominant hand, that were not solved
-    within the longest trial allowed.
-    """
+
+@measure(
+    Kind.SHARE,
+    "First trials cut off",
+    "The share of the first ten trials, without a dominant hand, that were not solved "
+    "within the longest trial allowed.",
+)
+def first_unsolved(pair: Pair) -> Floats:
+    """(b,) [1]."""
     return pair.baseline.unsolved[:, 0]
 
 
+@measure(
+    Kind.ACTIONS,
+    "Right after the pretraining",
+    "The mean number of actions over all runs in the first ten trials after the "
+    "pretraining.",
+)
 def actions_after_switch(pair: Pair) -> Floats:
-    """Right after the pretraining.
-
-    The mean number of actions over all runs in the first ten trials after the
-    pretraining.
-    """
+    """(b,) [actions]."""
     return _after(pair.dominant)[:, 0]
 
 
+@measure(
+    Kind.ACTIONS,
+    "Largest mean after the pretraining",
+    "The largest mean number of actions over five successive sets of ten after the "
+    "pretraining.",
+)
+def most_actions(pair: Pair) -> Floats:
+    """(b,) [actions]."""
+    return moving_means(_after(pair.dominant)).max(axis=1)
+
+
+@measure(
+    Kind.TRIAL,
+    "Place of the largest mean after the pretraining",
+    "The middle of these five sets.",
+)
+def most_actions_trial(pair: Pair) -> Floats:
+    """(b,) [trials]."""
+    return pair.dominant.middle(np.argmax(moving_means(_after(pair.dominant)), axis=1))
+
+
+@measure(
+    Kind.RATIO,
+    "Time from the first random orientation to near-optimal, relative",
+    "Trials from the first one with random orientation to near-optimal after the "
+    "pretraining, divided by the same without a dominant hand.",
+)
 def relearning_ratio(pair: Pair) -> Floats:
-    """Time from the first random orientation to near-optimal, relative.
+    """(b,) [1]; NaN unless both are reached."""
+    spans = (settled(c, NEAR_OPTIMAL) for c in _with_random_sides(pair))
+    return _reached(ratio(*spans))
 
-    Trials from the first one with random orientation to near-optimal after the
-    pretraining, divided by the same without a dominant hand.
+
+def fall_ratio(upper: float, lower: float) -> Measure:
+    """How long the mean takes to fall from a level [actions] to a lower one, relative.
+
+    NaN unless both scenarios fall as far.
     """
-    return _ratio(*(settled(c, NEAR_OPTIMAL) for c in _with_random_sides(pair)))
+
+    def formula(pair: Pair) -> Floats:
+        spans = (_fall(curves, upper, lower) for curves in _with_random_sides(pair))
+        return _reached(ratio(*spans))
+
+    return Measure(
+        f"fall_ratio_{upper:g}_to_{lower:g}",
+        Kind.RATIO,
+        f"Time from {upper:g} to {lower:g} actions, relative",
+        f"Trials in which the mean over all runs falls for good from {upper:g} to "
+        f"{lower:g} actions after the pretraining, on straight lines from set of ten "
+        "to set of ten, divided by the same without a dominant hand.",
+        formula,
+    )
 
 
-def fall_ratio(pair: Pair) -> Floats:
-    """Time from five to three actions, relative.
-
-    Trials in which the mean over all runs falls for good from five to three actions
-    after the pretraining, on straight lines from set of ten to set of ten, divided by
-    the same without a dominant hand.
-    """
-    return _ratio(*map(_fall, _with_random_sides(pair)))
-
-
-def easy_drop(pair: Pair) -> Floats:
-    """Drop of the optimal strategy on easy trials.
-
-    The share of easy trials with the optimal strategy in the last hundred trials of the
-    pretraining, minus the smallest mean of such shares of five successive sets of ten
-    after it.
-    """
-    before = _easy_optimal(pair)[:, : pair.dominant.switch]
-    return mean_of_sets(before[:, -_LONG:]) - np.fmin.reduce(_easy_after(pair), axis=1)
-
-
-def easy_low_trial(pair: Pair) -> Floats:
-    """Place of that drop.
-
-    The middle of the five successive sets of ten, after the pretraining, with the
-    smallest mean share of the optimal strategy on easy trials.
-    """
-    lowest = np.nanargmin(_easy_after(pair), axis=1)
-    n_after = _easy_optimal(pair).shape[1] - pair.dominant.switch
-    return BLOCK * (pair.dominant.switch + lowest + min(SMOOTHED, n_after) / 2)
-
-
-def easy_regained(pair: Pair) -> Floats:
-    """Part of that drop that was regained.
-
-    The rise of the share of the optimal strategy on easy trials from its lowest five
-    sets after the pretraining to the mean of the last hundred trials, divided by the
-    drop; none without a drop.
-    """
-    last = mean_of_sets(_easy_optimal(pair)[:, pair.dominant.switch :][:, -_LONG:])
-    return _ratio(last - np.fmin.reduce(_easy_after(pair), axis=1), easy_drop(pair))
-
-
+@measure(
+    Kind.ACTIONS,
+    "Actions at the end without a dominant hand",
+    "The mean number of actions over all runs in the last hundred trials without a "
+    "dominant hand.",
+)
 def last_actions(pair: Pair) -> Floats:
-    """Actions at the end without a dominant hand.
-
-    The mean number of actions over all runs in the last hundred trials without a
-    dominant hand.
-    """
-    return pair.baseline.actions[:, -_LONG:].mean(axis=1)
+    """(b,) [actions]."""
+    return pair.baseline.actions[:, -LONG:].mean(axis=1)
 
 
 def _before(curves: Curves) -> Floats:
@@ -133,11 +159,16 @@ def _with_random_sides(pair: Pair) -> tuple[Floats, Floats]:
     return _after(pair.dominant), pair.baseline.actions
 
 
-def _fall(actions: Floats) -> Floats:
+def _reached(values: Floats) -> Floats:
+    """NaN in place of what a longer study might tell."""
+    return np.where(np.isfinite(values), values, np.nan)
+
+
+def _fall(actions: Floats, upper: float, lower: float) -> Floats:
     """Sets from where curves (b, s) cross the upper level for good to the lower one."""
-    upper, lower = (_crossing(actions, level) for level in RATE_LEVELS)
-    reached = np.isfinite(lower)
-    return np.where(reached, lower - np.where(reached, upper, 0.0), np.inf)
+    top, bottom = (_crossing(actions, level) for level in (upper, lower))
+    reached = np.isfinite(bottom)
+    return np.where(reached, bottom - np.where(reached, top, 0.0), np.inf)
 
 
 def _crossing(curves: Floats, level: float) -> Floats:
@@ -151,18 +182,3 @@ def _crossing(curves: Floats, level: float) -> Floats:
     with np.errstate(invalid="ignore", divide="ignore"):
         part = (above - level) / (above - below)
     return np.where(inside, first - 1 + part, first)
-
-
-def _easy_optimal(pair: Pair) -> Floats:
-    return pair.dominant.easy[:, Strategy.OPTIMAL]
-
-
-def _easy_after(pair: Pair) -> Floats:
-    """Moving means of it (b, s) after the pretraining."""
-    return moving_means(_easy_optimal(pair)[:, pair.dominant.switch :])
-
-
-def _ratio(value: Floats, reference: Floats) -> Floats:
-    """NaN unless the reference is above zero and finite."""
-    usable = np.isfinite(reference) & (reference > 0)
-    return np.divide(value, reference, out=np.full_like(value, np.nan), where=usable)

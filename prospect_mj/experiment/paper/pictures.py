@@ -38,8 +38,8 @@ def published(
         cap: where trials are cut off [actions].
     """
     _, scenario = config.scenarios
-    band = f"{100 * LEVEL:.0f} % band over runs"
-    of = f"mean of {config.runs} runs in sets of ten trials, with its {band}"
+    band = f"{100 * LEVEL:.0f} % band over runs, where wider than the line"
+    of = f"mean of {config.runs} runs in sets of ten trials; shade: its {band}"
     yield _figure_5a(sample, optimum, of, cap)
     yield _figure_5b(sample, optimum, scenario, of, cap)
     yield from _figures_6(sample, optimum.optimal, scenario, of)

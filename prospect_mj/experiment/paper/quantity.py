@@ -12,8 +12,12 @@ class Kind(StrEnum):
     TRIAL = "trial"
     LAG = "lag"
     """Trials from where early corrections are gone to where late ones are."""
+    REVERSED_LAG = "reversed lag"
+    """Trials from where late corrections are gone to where early ones are."""
     ACTIONS = "actions"
     SHARE = "share"
+    POINTS = "points"
+    """A difference of two shares."""
     RATIO = "ratio"
 
 
@@ -24,8 +28,10 @@ def number(value: float, kind: Kind) -> str:
     if isinf(value):
         return _never(value, kind)
     match kind:
-        case Kind.TRIAL | Kind.LAG:
+        case Kind.TRIAL | Kind.LAG | Kind.REVERSED_LAG:
             return _rounded(value, 0)
+        case Kind.POINTS:
+            return f"{_rounded(100 * value, 1)} points"
         case Kind.SHARE:
             return f"{_rounded(100 * value, 1)} %"
         case _:
@@ -35,7 +41,8 @@ def number(value: float, kind: Kind) -> str:
 def with_interval(measured: Interval, kind: Kind) -> str:
     """An estimate and its interval in words."""
     low, high = measured.low, measured.high
-    if isnan(low) or (isinf(low) and low == high == measured.estimate):
+    nothing = isnan(measured.estimate) or isnan(low)
+    if nothing or (isinf(low) and low == high == measured.estimate):
         return number(measured.estimate, kind)
     words = f"{number(low, kind)} to {number(high, kind)}"
     if measured.lacking > 1 - LEVEL:
@@ -50,6 +57,7 @@ def _rounded(value: float, digits: int) -> str:
 
 def _never(value: float, kind: Kind) -> str:
     """What it means that something is never reached."""
-    if kind != Kind.LAG:
+    if kind not in (Kind.LAG, Kind.REVERSED_LAG):
         return "never"
-    return f"{'late' if value == inf else 'early'} corrections never gone"
+    late = (value == inf) == (kind == Kind.LAG)
+    return f"{'late' if late else 'early'} corrections never gone"

@@ -36,6 +36,8 @@ class Timing:
     """Threads that they had then, the same for both scenarios or not."""
     actions: int
     """That the learners took."""
+    earlier: bool
+    """Whether they were read from where an earlier command had put them."""
     speed: Speed
     """Of the compiled and the plain learner, measured for the report."""
 
@@ -67,7 +69,7 @@ def report(results: Results) -> str:
         _figures(),
         report_statements.further(results.sample),
         report_infants.section(results.sample),
-        report_ablation.section(results.rows, results.config.ablation_runs),
+        report_ablation.section(results.rows, results.config.ablation.runs),
         report_live.section(results.live),
         _timing(results.timing),
     )
@@ -95,8 +97,9 @@ def _opening(results: Results) -> Iterable[str]:
         "resamples of the runs. The bands of the figures are made in the same way, set "
         "by set."
     )
-    if min(config.runs, config.ablation_runs) < _FEW:
-        yield f"With fewer than {_FEW} runs intervals of this kind are too narrow."
+    for where, runs in (("", config.runs), (" in the ablation", config.ablation.runs)):
+        if runs < _FEW:
+            yield f"Of {runs} runs{where} intervals of this kind are too narrow."
 
 
 def _recording(key: RecordingKey, changed: Sequence[str]) -> str:
@@ -126,10 +129,11 @@ def _timing(timing: Timing) -> Iterable[str]:
     yield "## Speed"
     plain = timing.actions / timing.speed.plain
     threads = " and ".join(map(str, timing.jobs))
+    when = ", when an earlier command computed them" if timing.earlier else ""
     yield (
         f"Both scenarios, {timing.actions} actions, took {timing.seconds:.1f} s of "
-        f"wall time (threads: {threads}). On one thread the compiled learner takes "
-        f"and learns from {timing.speed.kernel:.0f} actions per second, the plain "
-        f"NumPy learner from {timing.speed.plain:.0f}: for the same it would need "
-        f"{plain:.0f} s."
+        f"wall time (threads: {threads}){when}. On one thread the compiled learner "
+        f"takes and learns from {timing.speed.kernel:.0f} actions per second, the "
+        f"plain NumPy learner from {timing.speed.plain:.0f}: it would need "
+        f"{plain:.0f} s for the same."
     )

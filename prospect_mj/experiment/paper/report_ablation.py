@@ -7,7 +7,6 @@ from prospect_mj.experiment.paper import ablation
 from prospect_mj.experiment.paper.ablation import Row
 from prospect_mj.experiment.paper.markdown import table
 from prospect_mj.experiment.paper.quantity import Kind, number, with_interval
-from prospect_mj.experiment.paper.sample import title
 from prospect_mj.experiment.paper.statements import FITTED, Judgement
 
 
@@ -20,21 +19,23 @@ def section(rows: Sequence[Row], runs: int) -> Iterable[str]:
         "none of them one of the runs above. The distance is the sum of squared "
         "differences from the four published ranges that are fitted, each in tenths of "
         "the number; inside of the range there is none. Where something is never "
-        "reached, the end counts, and the distance is a lower bound (>=). All choices "
-        "have runs of the same seeds and the same resamples of them; whether one is "
-        "farther from the paper than the default is judged by the interval of the "
-        "difference of their distances."
+        "reached, the end of the study counts, and the distance is a lower bound (>=). "
+        "The scale of the histogram was chosen with the default's other choices; those "
+        "that fit worse are tried again at the scale that a coarse search found best "
+        "for them. All choices have runs of the same seeds and the same resamples of "
+        "them; whether one is farther from the paper than the default is judged by the "
+        "interval of the difference of their distances."
     )
-    heads = [title(said.measure).lower() for said in FITTED]
-    published = [said.target.words for said in FITTED]
-    lines = [
-        _line(row, ablation.default_of(choices))
-        for choices in factors.values()
-        for row in choices
-    ]
+    default = ablation.default_of(rows)
+    heads = [m.title.lower() for said in FITTED for m in said.measures]
+    published = [said.target.words for said in FITTED for _ in said.measures]
     yield table(
         ("left open", "choice", *heads, "distance", "farther than the default"),
-        [("", "**the paper**", *published, "0", ""), *lines],
+        [
+            ("", "**the paper**", *published, "0", ""),
+            ("", "**the default**", *_cells(default), ""),
+            *(_line(row, default) for row in rows if not row.is_default),
+        ],
     )
     yield _rule(factors.values())
     yield "\n".join(_fit(factor, rows) for factor, rows in factors.items())
@@ -42,16 +43,14 @@ def section(rows: Sequence[Row], runs: int) -> Iterable[str]:
 
 
 def _line(row: Row, default: Row) -> tuple[str, ...]:
-    cells = [with_interval(j.measured, j.statement.kind) for j in row.fitted]
-    mark = " (default)" if row is default else ""
     farther = with_interval(ablation.farther(row, default), Kind.RATIO)
-    return (
-        row.variant.factor,
-        row.variant.choice + mark,
-        *cells,
-        _distance(row),
-        "" if row is default else farther,
-    )
+    return row.variant.factor, row.variant.choice, *_cells(row), farther
+
+
+def _cells(row: Row) -> tuple[str, ...]:
+    """What is fitted, and the distance."""
+    cells = (with_interval(j.measured, j.measure.kind) for j in row.fitted)
+    return *cells, _distance(row)
 
 
 def _distance(row: Row) -> str:
@@ -69,7 +68,7 @@ def _rule(factors: Iterable[Sequence[Row]]) -> str:
     rule = (
         "A choice inside of all ranges is at no distance, and among several such ones "
         "none is the best. So a default is kept as long as no other choice is nearer "
-        "beyond doubt; *as good* are those that can't be told from it"
+        "beyond doubt; as good are those that can't be told from it"
     )
     doubted = [_name(row) for rows in factors for row in ablation.nearer(rows)]
     if not doubted:
@@ -79,9 +78,14 @@ def _rule(factors: Iterable[Sequence[Row]]) -> str:
 
 def _fit(factor: str, rows: Sequence[Row]) -> str:
     """Which choices for one thing are as good as the default, in a line."""
-    default = ablation.default_of(rows).variant.choice
-    alike = [row.variant.choice for row in ablation.as_good(rows)]
-    return f"- {factor}: *{default}* (default); as good: {'; '.join(alike) or 'none'}."
+    default, nearest = ablation.default_of(rows), ablation.nearest(rows)
+    alike = "; ".join(f"*{row.variant.choice}*" for row in ablation.as_good(rows))
+    distance = number(nearest.distance.estimate, Kind.RATIO)
+    return (
+        f"- {factor}: *{default.variant.choice}* is the default; as good: "
+        f"{alike or 'no other'}; smallest distance: *{nearest.variant.choice}*, "
+        f"{distance}."
+    )
 
 
 def _verdicts(factors: Sequence[Sequence[Row]]) -> Iterable[str]:
@@ -89,24 +93,23 @@ def _verdicts(factors: Sequence[Sequence[Row]]) -> Iterable[str]:
     default = ablation.default_of(factors[0])
     alike = [row for rows in factors for row in ablation.as_good(rows)]
     yield (
-        f"Every statement with the default, and with the {len(alike)} choices that "
-        "are as good:"
+        f"Every measure of a statement with the default, and with the {len(alike)} "
+        "choices that are as good:"
     )
     lines = [
         _verdict(judged, [(row, row.judgements[number]) for row in alike])
         for number, judged in enumerate(default.judgements)
     ]
-    yield table(("statement", "with the default", "the same with", "but"), lines)
+    yield table(("measure", "with the default", "the same with", "but"), lines)
 
 
 def _verdict(
     judged: Judgement, others: Sequence[tuple[Row, Judgement]]
 ) -> tuple[str, ...]:
-    """One statement's verdict, and where it is another."""
+    """What one measure says, and where it says something else."""
     other = [(row, o.verdict) for row, o in others if o.verdict != judged.verdict]
-    said = judged.statement
     return (
-        title(said.measure) + (" (fitted)" if said.fitted else ""),
+        judged.measure.title + (" (fitted)" if judged.statement.fitted else ""),
         f"**{judged.verdict}**",
         f"{len(others) - len(other)} of {len(others)}",
         "; ".join(f"{verdict} with {_name(row)}" for row, verdict in other),

@@ -45,7 +45,8 @@ def section(sample: Sample) -> Iterable[str]:
         "The three stages are the beginning after the pretraining, the height of "
         "corrections between it and the end, and the end; they stand for 9, 14 and 19 "
         "months. An order holds if the intervals put all of its parts beyond doubt, "
-        "does not hold if they exclude one of them, and is undecided otherwise."
+        "does not hold if they exclude one of them, and is undecided otherwise. "
+        "When corrections disappear is measured in several ways, as above."
     )
     yield table(
         ("infants, as the paper tells", "the same in the agent", "verdict"),

@@ -5,63 +5,49 @@ from collections.abc import Iterable, Sequence
 from prospect_mj.experiment.paper import statements
 from prospect_mj.experiment.paper.markdown import definitions, table
 from prospect_mj.experiment.paper.quantity import with_interval
-from prospect_mj.experiment.paper.sample import Sample, estimate, title
-from prospect_mj.experiment.paper.statements import Judgement
-from prospect_mj.experiment.paper.target import Verdict, agreed
+from prospect_mj.experiment.paper.sample import Sample
+from prospect_mj.experiment.paper.statements import Judgement, by_statement
 
 
 def published(judgements: Sequence[Judgement]) -> Iterable[str]:
     """The paper's statements beside what was measured, a piece at a time."""
     yield "## What the paper states"
     rows = []
-    for judged in judgements:
-        said = judged.statement
-        measured = with_interval(judged.measured, said.kind)
-        what = f"{title(said.measure)}: {measured}"
-        verdict = f"**{judged.verdict}**" + (", fitted" if said.fitted else "")
-        rows.append((said.text, said.target.words, what, verdict))
+    for said, of_it, together in by_statement(judgements):
+        verdict = f"**{together}**" + (", fitted" if said.fitted else "")
+        rows.append((said.text, said.target.words, _measured(of_it), verdict))
     yield table(("the paper", "as a number", "measured", "verdict"), rows)
     yield (
-        "A statement holds if all of the interval is in the range, does not hold if "
-        "none of it is, and is undecided otherwise, as most are in a small study. "
+        "A measure confirms a statement if all of its interval is in the range, "
+        "contradicts it if none of it is, and leaves it undecided otherwise, as most "
+        "small studies do. Where the paper doesn't say how it measured, there are "
+        "several measures of the same: the statement then holds if it does by all of "
+        "them, and depends on the measure if one confirms and one contradicts it. "
         "*Fitted*: what the paper leaves open, above all the scale of the histogram "
         "and the initial weights, was chosen by this number; that it comes out is no "
-        "prediction. The other rows had no part in any choice."
+        "prediction. No setting of the learner was chosen by the other rows."
     )
-    measures = dict.fromkeys(judged.statement.measure for judged in judgements)
-    yield definitions(measures)
-    yield _order_of_corrections(judgements)
+    yield definitions(dict.fromkeys(judged.measure for judged in judgements))
 
 
-def _order_of_corrections(judgements: Sequence[Judgement]) -> str:
-    """Whether it can be told which correction disappears first."""
-    said = agreed(
-        j.verdict for j in judgements if j.statement in statements.EARLY_FIRST
-    )
-    match said:
-        case Verdict.HOLDS:
-            words = (
-                "By both measures early corrections disappear first, as in the paper."
-            )
-        case Verdict.FAILS:
-            words = "By neither measure do early corrections disappear first."
-        case Verdict.OPEN:
-            words = (
-                "Which correction disappears first can't be told: the two measures of "
-                "it don't agree, or leave it open."
-            )
-    return (
-        f"{words} There are two, as the paper doesn't say what it calls disappeared, "
-        "and a rarer correction is nearer to any fixed share."
+def _measured(judgements: Sequence[Judgement]) -> str:
+    """What each measure came to, and its verdict if there are several."""
+    several = len(judgements) > 1
+    return "<br>".join(
+        f"{judged.measure.title}: {with_interval(judged.measured, judged.measure.kind)}"
+        + (f", {judged.verdict}" if several else "")
+        for judged in judgements
     )
 
 
 def further(sample: Sample) -> Iterable[str]:
     """What was measured beside."""
     yield "## Measured beside"
-    rows = [
-        (title(measure), with_interval(estimate(measure, sample), kind))
-        for measure, kind in statements.FURTHER
-    ]
-    yield table(("what", "measured"), rows)
-    yield definitions([measure for measure, _ in statements.FURTHER])
+    yield table(
+        ("what", "measured"),
+        [
+            (measure.title, with_interval(measure.estimate(sample), measure.kind))
+            for measure in statements.FURTHER
+        ],
+    )
+    yield definitions(statements.FURTHER)

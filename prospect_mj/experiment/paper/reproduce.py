@@ -141,7 +141,9 @@ def _sampled(kept: tuple[Kept, Kept], resampling: Resampling) -> Sample:
 def _timing(kept: tuple[Kept, Kept], speed: Speed) -> Timing:
     n_actions = sum(int(one.population.n_actions.sum(dtype=np.int64)) for one in kept)
     seconds = sum(one.seconds for one in kept)
-    return Timing(seconds, tuple(sorted({one.jobs for one in kept})), n_actions, speed)
+    jobs = tuple(sorted({one.jobs for one in kept}))
+    earlier = any(one.earlier for one in kept)
+    return Timing(seconds, jobs, n_actions, earlier, speed)
 
 
 def _presentations(recording: Recording) -> tuple[int, int]:

@@ -6,14 +6,14 @@ import numpy as np
 
 from prospect_mj.checks import check_integer
 from prospect_mj.errors import InvalidValue
-from prospect_mj.experiment.learning_curve import BLOCK
 from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
 from prospect_mj.recording.config import LARGEST_SEED
 
 PRETRAIN = 400
 """Trials of pretraining (Wheeler, Fagg and Grupen 2002, section 3.2)."""
 
-_FEWEST_TRIALS = PRETRAIN + 3 * BLOCK
+_FEWEST_TRIALS = PRETRAIN + 300
+"""A hundred trials for each of the stages after the pretraining."""
 # The resampled curves of so many stay below two gigabytes of memory.
 _MOST_RUNS, _MOST_TRIALS = 10_000, 10_000
 _LARGEST = 10_000_000
@@ -28,8 +28,8 @@ class ReproduceConfig:
     """Learners per scenario."""
     trials: int = 1000
     """Trials of each, with a dominant hand 400 of pretraining among them."""
-    ablation_runs: int = 1000
-    """Learners per scenario and choice in the ablation table."""
+    ablation_runs: int | None = None
+    """Learners per scenario and choice in the ablation table; None: as many."""
     seed: int = 0
     """Equal seeds give equal reports, wall times aside."""
 
@@ -37,9 +37,9 @@ class ReproduceConfig:
         """Refuse numbers that make no experiment."""
         check_integer("runs", self.runs, 2, _MOST_RUNS)
         check_integer("trials", self.trials, _FEWEST_TRIALS, _MOST_TRIALS)
-        check_integer("ablation runs", self.ablation_runs, 2, _MOST_RUNS)
+        check_integer("ablation runs", self._ablation_runs, 2, _MOST_RUNS)
         check_integer("seed", self.seed, 0, LARGEST_SEED)
-        total = max(self.runs, self.ablation_runs) * self.trials
+        total = max(self.runs, self._ablation_runs) * self.trials
         if total > _LARGEST:
             raise InvalidValue("runs x trials", total, f"{_LARGEST} at most")
 
@@ -61,4 +61,8 @@ class ReproduceConfig:
         """
         sequence = np.random.SeedSequence(self.seed, spawn_key=(_ABLATION,))
         seed = int(sequence.generate_state(1)[0])
-        return PopulationSettings(runs=self.ablation_runs, seed=seed)
+        return PopulationSettings(runs=self._ablation_runs, seed=seed)
+
+    @property
+    def _ablation_runs(self) -> int:
+        return self.runs if self.ablation_runs is None else self.ablation_runs

@@ -1,17 +1,10 @@
-"""The curves a measure is taken on, and its estimate with an interval."""
+"""What measures are taken on: the curves of both scenarios, and their resamples."""
 
-import inspect
-from collections.abc import Callable
 from typing import NamedTuple, Self
 
 import numpy as np
 
-from prospect_mj.experiment.paper.bootstrap import (
-    Floats,
-    Interval,
-    interval,
-    times_drawn,
-)
+from prospect_mj.experiment.paper.bootstrap import Floats, times_drawn
 from prospect_mj.experiment.paper.curves import Curves, RunCounts
 from prospect_mj.experiment.paper.population import Population
 
@@ -56,26 +49,3 @@ class Sample(NamedTuple):
         pairs = zip(counts, resampling, strict=True)
         resampled = Pair(*(count.drawn(times) for count, times in pairs))
         return cls(Pair(*(count.mean() for count in counts)), resampled)
-
-
-Measure = Callable[[Pair], Floats]
-
-
-def estimate(measure: Measure, sample: Sample) -> Interval:
-    """A measure of all runs, with its interval."""
-    return interval(measure(sample.mean)[0], measure(sample.resampled))
-
-
-def title(measure: Measure) -> str:
-    """A measure's name."""
-    return _paragraphs(measure)[0].rstrip(".")
-
-
-def definition(measure: Measure) -> str:
-    """A measure's definition, one sentence."""
-    return _paragraphs(measure)[1]
-
-
-def _paragraphs(measure: Measure) -> list[str]:
-    text = inspect.getdoc(measure) or ""
-    return [" ".join(part.split()) for part in text.split("\n\n")]

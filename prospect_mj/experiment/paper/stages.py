@@ -7,12 +7,9 @@ import numpy as np
 
 from prospect_mj.experiment.learning_curve import BLOCK
 from prospect_mj.experiment.paper.bootstrap import Floats, Interval, interval
-from prospect_mj.experiment.paper.curves import Curves, mean_of_sets
+from prospect_mj.experiment.paper.curves import LONG, Curves, mean_of_sets, ratio
 from prospect_mj.experiment.paper.sample import Sample
 from prospect_mj.experiment.paper.strategies import Grip, Strategy
-
-_LONGEST = 10
-"""Sets of a stage, where there are enough."""
 
 
 class Shares(NamedTuple):
@@ -67,21 +64,20 @@ def stages(sample: Sample) -> Stages:
 
     Args:
         sample: of which the runs with a dominant hand are looked at. A stage is a
-            hundred trials long, or a third of what there is.
+            hundred trials long, and there are three hundred or more.
     """
     mean = sample.mean.dominant
     switch, n_sets = mean.switch, mean.actions.shape[1]
-    length = min(_LONGEST, (n_sets - switch) // 3)
-    starts = switch, _height(mean, length), n_sets - length
-    return Stages(*(_stage(sample, start, start + length) for start in starts))
+    starts = switch, _height(mean), n_sets - LONG
+    return Stages(*(_stage(sample, start, start + LONG) for start in starts))
 
 
-def _height(mean: Curves, length: int) -> int:
+def _height(mean: Curves) -> int:
     """First of the sets between beginning and end with most corrections."""
     shares = np.nan_to_num(mean.difficult[0])
     corrections = shares[Strategy.EARLY] + shares[Strategy.LATE]
-    sums = np.convolve(corrections, np.ones(length), mode="valid")
-    first, end = mean.switch + length, len(corrections) - 2 * length + 1
+    sums = np.convolve(corrections, np.ones(LONG), mode="valid")
+    first, end = mean.switch + LONG, len(corrections) - 2 * LONG + 1
     return first + int(np.argmax(sums[first:end]))
 
 
@@ -106,7 +102,6 @@ def _shares(curves: Curves, start: int, end: int) -> Shares:
         )
     )
     early, late = difficult[:, Strategy.EARLY], difficult[:, Strategy.LATE]
-    both = early + late
     return Shares(
         nonradial=grips[:, Grip.NONRADIAL],
         easy_nonradial=easy_grips[:, Grip.NONRADIAL],
@@ -114,8 +109,6 @@ def _shares(curves: Curves, start: int, end: int) -> Shares:
         early=early,
         late=late,
         other=difficult[:, Strategy.OTHER],
-        preference=np.divide(
-            early, both, out=np.full_like(both, np.nan), where=both > 0
-        ),
+        preference=ratio(early, early + late),
         easy_optimal=easy[:, Strategy.OPTIMAL],
     )

@@ -68,6 +68,8 @@ class Kept:
     """Wall time when it was computed [s]."""
     jobs: int
     """Threads that it had then."""
+    earlier: bool = False
+    """Whether that was in an earlier command."""
 
 
 class Store:
@@ -177,4 +179,4 @@ def _kept(rows: pa.Table, scenario: Scenario) -> Kept:
     shape = (-1, scenario.trials)
     columns = (rows[name].to_numpy().reshape(shape) for name in _KEPT)
     seconds, jobs = rows["seconds"][0].as_py(), rows["jobs"][0].as_py()
-    return Kept(Population(scenario, *columns), seconds, jobs)
+    return Kept(Population(scenario, *columns), seconds, jobs, earlier=True)

@@ -70,7 +70,7 @@ def strategies(table: pa.Table, heading: Heading, trials: str) -> bytes:
     for axes in (above, below):
         axes.yaxis.set_major_formatter(PercentFormatter(1, decimals=0, symbol=" %"))
         axes.set_ylabel(f"share of {trials} trials")
-    above.set_ylim(0, 1)
+    above.set_ylim(0, 1.09)
     highest = max(shown[name]["high"].max() for name in _PARTS)
     below.set_ylim(0, _ROOM * max(highest, 0.01))
     best = _draw_best_share(above, table)
@@ -114,7 +114,7 @@ def _draw_best_share(axes: Axes, table: pa.Table) -> Floats:
     """
     share, first = table["optimum"][0].as_py(), pc.min(table["trial"]).as_py()
     ends = np.array([[first, share], [axes.get_xlim()[1], share]])
-    axes.plot(*ends.T, color=INK, linewidth=1, clip_on=False)
+    axes.plot(*ends.T, color=INK, linewidth=1)
     words = f"best possible: {100 * share:.0f} % optimal"
     write(axes, words, tuple(ends[1]), (0, 3), ha="right", va="bottom")
     return ends

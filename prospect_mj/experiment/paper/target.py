@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
-from math import isnan
+from math import inf, isnan
 
 from prospect_mj.experiment.paper.bootstrap import LEVEL, Interval
 
@@ -14,6 +14,8 @@ class Verdict(StrEnum):
     HOLDS = "holds"
     FAILS = "does not hold"
     OPEN = "undecided"
+    DEPENDS = "depends on the measure"
+    """It holds by one measure of the same, and does not by another."""
 
 
 @dataclass(frozen=True)
@@ -27,8 +29,12 @@ class Target:
     number: float | None = None
     """The published number itself, or the bound of the comparison."""
 
-    def verdict(self, measured: Interval) -> Verdict:
+    def verdict(self, measured: Interval, end: float = inf) -> Verdict:
         """Judge a measure by its interval; the wider it is, the less it confirms.
+
+        Args:
+            measured: the interval.
+            end: where the study ends, at or after which lies what was not reached.
 
         Returns:
             HOLDS if all of the interval is inside, FAILS if none of it is, else OPEN;
@@ -36,7 +42,7 @@ class Target:
         """
         if isnan(measured.estimate) or measured.lacking > 1 - LEVEL:
             return Verdict.OPEN
-        if measured.high < self.low or measured.low > self.high:
+        if measured.high < self.low or min(measured.low, end) > self.high:
             return Verdict.FAILS
         inside = self.low <= measured.low and measured.high <= self.high
         return Verdict.HOLDS if inside else Verdict.OPEN
@@ -48,6 +54,8 @@ def about(number: float, words: str) -> Target:
 
 
 def agreed(verdicts: Iterable[Verdict]) -> Verdict:
-    """What several measures of the same say; undecided where they differ."""
+    """What several measures of the same say."""
     said = set(verdicts)
+    if {Verdict.HOLDS, Verdict.FAILS} <= said:
+        return Verdict.DEPENDS
     return said.pop() if len(said) == 1 else Verdict.OPEN

@@ -1,4 +1,5 @@
 from collections import defaultdict
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
@@ -17,13 +18,15 @@ from prospect_mj.experiment.paper.statements import STATEMENTS, Judgement
 from prospect_mj.experiment.paper.target import Verdict
 
 DEFAULT = PopulationSettings()
-N = len(STATEMENTS)
-HOLDS, FAILS, OPEN = Verdict
+MEASURED = [(said, measure) for said in STATEMENTS for measure in said.measures]
+N = len(MEASURED)
+HOLDS, FAILS, OPEN = Verdict.HOLDS, Verdict.FAILS, Verdict.OPEN
 
 
 def curves(actions, unsolved, switch):
     none = [np.zeros((1, n, len(actions))) for n in (4, 4, 2, 2)]
-    return Curves(np.array([actions]), np.array([unsolved]), *none, switch)
+    taken = 3 * [np.array([actions])]
+    return Curves(*taken, np.array([unsolved]), *none, switch)
 
 
 def planted(cut_off=0.6, near=650, pretrained=250, peak=6.5):
@@ -63,6 +66,22 @@ def test_what_is_never_reached_counts_as_reached_at_the_end():
     np.testing.assert_allclose(never, [(285 / 65) ** 2])
     never = ablation.distance(planted(pretrained=400))
     np.testing.assert_allclose(never, [(125 / 25) ** 2])
+
+
+def test_what_a_short_study_could_not_reach_is_at_no_distance():
+    short = planted(near=2000)
+    assert ablation.distance(replace_end(short, 56)) == [0]
+    np.testing.assert_allclose(ablation.distance(replace_end(short, 78)), [1.0])
+
+
+def replace_end(pair, sets):
+    """The same without what follows a number of sets in the first scenario."""
+    shorter = {
+        field.name: getattr(pair.baseline, field.name)[..., :sets]
+        for field in fields(pair.baseline)
+        if field.name != "switch"
+    }
+    return pair._replace(baseline=replace(pair.baseline, **shorter))
 
 
 def test_each_factor_has_the_default_once_and_other_choices():
@@ -106,8 +125,8 @@ COMMON = np.linspace(-3, 3, 101)
 def row(choice, distance, own=0.0, measured=(650.0,) * 3, verdicts=(HOLDS,) * N):
     """A choice whose resampled distances share all chance but its own (101,)."""
     judged = [
-        Judgement(said, Interval(*measured), verdict)
-        for said, verdict in zip(STATEMENTS, verdicts, strict=True)
+        Judgement(said, measure, Interval(*measured), verdict)
+        for (said, measure), verdict in zip(MEASURED, verdicts, strict=True)
     ]
     many = distance + COMMON + own
     variant = Variant("factor", choice, {})
@@ -148,10 +167,18 @@ def report(rows):
 
 def test_the_report_says_which_choices_are_as_good_as_the_default():
     text = report(ROWS)
-    assert "- factor: *a* (default); as good: b; f." in text
-    assert "| a (default) |" in text
+    assert "- factor: *a* is the default; as good: *b*; *f*; " in text
+    assert "smallest distance: *b*, 11.00." in text
     assert "never" in text
-    assert "as good: none." in report([ROWS[0], ROWS[2]])
+    assert "as good: no other; " in report([ROWS[0], ROWS[2]])
+
+
+def test_the_default_is_told_once_of_all_things_left_open():
+    again = [replace(row, variant=replace(row.variant, factor="other")) for row in ROWS]
+    text = report([*ROWS, *again])
+    assert text.count("| **the default** |") == 1
+    assert "| a |" not in text
+    assert text.count("| b |") == 2
 
 
 def test_the_report_says_whether_the_default_stands():
@@ -167,7 +194,7 @@ def test_the_report_tells_which_statements_hang_on_a_choice():
     assert lines[-2].endswith("| 1 of 2 | does not hold with factor *b* |")
     assert lines[-1].endswith("| 1 of 2 | undecided with factor *b* |")
     marked = ["(fitted)" in line for line in lines]
-    assert marked == [said.fitted for said in STATEMENTS]
+    assert marked == [said.fitted for said, _ in MEASURED]
 
 
 def test_a_distance_with_something_never_reached_is_a_lower_bound():
@@ -186,8 +213,9 @@ def test_a_row_is_measured_with_intervals_and_tabulated():
     (plain,) = ablation_table.table([measured]).to_pylist()
     assert plain["factor"] == variant.factor
     for judged in measured.judgements:
-        assert plain[judged.statement.name] == judged.measured.estimate
-        assert plain[f"{judged.statement.name}_verdict"] == judged.verdict
+        name = judged.measure.name
+        np.testing.assert_equal(plain[name], judged.measured.estimate)
+        assert plain[f"{name}_verdict"] == judged.verdict
     assert plain["distance_high"] == measured.distance.high
 
 

@@ -5,7 +5,7 @@ import pytest
 from numpy.lib.stride_tricks import sliding_window_view
 from synthetic import of_strategies
 
-from prospect_mj.experiment.paper import measures
+from prospect_mj.experiment.paper import easy_trials, measures
 from prospect_mj.experiment.paper.bootstrap import band, interval, times_drawn
 from prospect_mj.experiment.paper.curves import RunCounts
 from prospect_mj.experiment.paper.sample import Pair
@@ -47,11 +47,13 @@ def planted(runs, rng):
     nothing = np.zeros((runs, 2, len(optimal)))
     taken = np.rint(10 * actions + 0.3 * np.sqrt(10) * rng.standard_normal(shape))
     shares = np.stack([used, 0 * used, 0 * used, 10 - used], axis=1)
-    return RunCounts(taken, 0 * used, shares, shares, nothing, nothing, 10)
+    return RunCounts(
+        taken, taken, taken, 0 * used, shares, shares, nothing, nothing, 10
+    )
 
 
 TRUTH = {
-    measures.easy_drop: 0.98 - sliding_window_view(DIP, 5).mean(axis=1).min(),
+    easy_trials.easy_drop: 0.98 - sliding_window_view(DIP, 5).mean(axis=1).min(),
     measures.actions_after_switch: FALL[0],
     measures.near_optimal: 100 + TRIALS[np.argmax(FALL <= 2.4)],
 }
@@ -76,7 +78,7 @@ def missed():
 
 def test_intervals_of_the_drop_cover_it_though_it_is_an_extreme(missed):
     # Among single sets, not means of five, most intervals would lie above it.
-    assert missed[measures.easy_drop].sum() < 0.12
+    assert missed[easy_trials.easy_drop].sum() < 0.12
 
 
 def test_intervals_of_a_mean_of_one_set_miss_to_either_side(missed):
