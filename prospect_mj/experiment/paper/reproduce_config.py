@@ -6,7 +6,10 @@ import numpy as np
 
 from prospect_mj.checks import check_integer
 from prospect_mj.errors import InvalidValue
-from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
+from prospect_mj.experiment.paper.populations.scenario import (
+    PopulationSettings,
+    Scenario,
+)
 from prospect_mj.recording.config import LARGEST_SEED
 
 PRETRAIN = 400

@@ -4,12 +4,16 @@ import numpy as np
 import pytest
 from synthetic import of_strategies, pair
 
-from prospect_mj.experiment.paper import corrections
-from prospect_mj.experiment.paper.bootstrap import band, times_drawn
-from prospect_mj.experiment.paper.curves import RunCounts, mean_of_sets, moving_means
-from prospect_mj.experiment.paper.scenario import Scenario
-from prospect_mj.experiment.paper.strategies import Strategy
-from prospect_mj.recording.arrays import LEFT, NONE, RIGHT
+from prospect_mj.experiment.paper.measures import corrections
+from prospect_mj.experiment.paper.measures.bootstrap import band, times_drawn
+from prospect_mj.experiment.paper.measures.curves import (
+    RunCounts,
+    mean_of_sets,
+    moving_means,
+)
+from prospect_mj.experiment.paper.populations.scenario import Scenario
+from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.recording.hands import LEFT, NONE, RIGHT
 
 OPTIMAL, EARLY, LATE, OTHER = Strategy
 

@@ -8,19 +8,24 @@ import pyarrow.compute as pc
 import pytest
 from synthetic import improving, pair, sampled
 
-from prospect_mj.experiment.paper import captions, figure_frame, figures, pictures
-from prospect_mj.experiment.paper.figure_frame import Heading
-from prospect_mj.experiment.paper.figure_tables import (
+from prospect_mj.experiment.paper.figures import (
+    actions_figure,
+    captions,
+    figure_frame,
+    pictures,
+)
+from prospect_mj.experiment.paper.figures.actions_figure import Mark
+from prospect_mj.experiment.paper.figures.figure_frame import Heading
+from prospect_mj.experiment.paper.figures.figure_tables import (
     STRATEGIES,
     actions_table,
     strategy_table,
 )
-from prospect_mj.experiment.paper.figures import Mark
-from prospect_mj.experiment.paper.live_check import SCHEMA as LIVE_SCHEMA
-from prospect_mj.experiment.paper.optimum import BySide, Optimum
+from prospect_mj.experiment.paper.figures.strategy_figure import LOOKS
+from prospect_mj.experiment.paper.live.live_check import SCHEMA as LIVE_SCHEMA
+from prospect_mj.experiment.paper.populations.optimum import BySide, Optimum
+from prospect_mj.experiment.paper.populations.scenario import Scenario
 from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
-from prospect_mj.experiment.paper.scenario import Scenario
-from prospect_mj.experiment.paper.strategy_figure import LOOKS
 
 HEADING = Heading("Title", "mean of many")
 SWITCHED = Heading("Title", "mean of many", 400)
@@ -66,7 +71,7 @@ def picture(png):
 
 
 def draw(table, heading, marks):
-    return figures.actions(table, heading, 10, marks, 2.1)
+    return actions_figure.actions(table, heading, 10, marks, 2.1)
 
 
 def rgb(colour):
@@ -245,7 +250,7 @@ def live_table(away):
 
 
 def test_live_runs_are_shown_by_their_difference_too():
-    image = picture(figures.live(live_table(0.25), HEADING, 10, 2.0, 20))
+    image = picture(actions_figure.live(live_table(0.25), HEADING, 10, 2.0, 20))
     _, _, (above, below) = panels(image)
     drawn = mask(image, figure_frame.VERMILION)
     rows = np.flatnonzero(drawn[slice(*below)].sum(axis=1) > 500)
@@ -259,9 +264,9 @@ def test_live_runs_are_shown_by_their_difference_too():
 @pytest.mark.parametrize(("away", "outside"), [(0.4, False), (0.6, True)])
 def test_sets_outside_of_the_band_are_ringed(away, outside):
     aways = np.zeros(100)
-    calm = picture(figures.live(live_table(aways), HEADING, 10, 2.0, 20))
+    calm = picture(actions_figure.live(live_table(aways), HEADING, 10, 2.0, 20))
     aways[50:53] = away
-    image = picture(figures.live(live_table(aways), HEADING, 10, 2.0, 20))
+    image = picture(actions_figure.live(live_table(aways), HEADING, 10, 2.0, 20))
     # With rings the legend has one line more; without any, the panel above is calm
     # but for the line itself.
     left, right, (above, _) = panels(image)

@@ -3,12 +3,13 @@
 import numpy as np
 from synthetic import of_strategies, pair, sampled
 
-from prospect_mj.experiment.paper import infants, report_infants
-from prospect_mj.experiment.paper.scenario import Scenario
-from prospect_mj.experiment.paper.stages import stages
-from prospect_mj.experiment.paper.strategies import Strategy
-from prospect_mj.experiment.paper.target import Verdict
-from prospect_mj.recording.arrays import LEFT, RIGHT
+from prospect_mj.experiment.paper.measures import infants
+from prospect_mj.experiment.paper.measures.stages import stages
+from prospect_mj.experiment.paper.measures.target import Verdict
+from prospect_mj.experiment.paper.populations.scenario import Scenario
+from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.experiment.paper.report import report_infants
+from prospect_mj.recording.hands import LEFT, RIGHT
 
 GRIPS, PREFERENCE, EASY, DOMINANCE, LATE_FIRST = range(5)
 BEGINNING, HEIGHT, END = (400, 500), (650, 750), (900, 1000)

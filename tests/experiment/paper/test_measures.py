@@ -3,18 +3,18 @@ import pytest
 from synthetic import pair, sampled
 
 from prospect_mj.experiment.learning_curve import smoothed_near_optimal_trial
-from prospect_mj.experiment.paper import (
+from prospect_mj.experiment.paper.measures import (
     corrections,
     easy_trials,
-    measures,
+    learning,
     statements,
 )
-from prospect_mj.experiment.paper.curves import Curves
-from prospect_mj.experiment.paper.sample import Pair
+from prospect_mj.experiment.paper.measures.curves import Curves
+from prospect_mj.experiment.paper.measures.sample import Pair
 
 SWITCH = 4
 INF, NAN = np.inf, np.nan
-FALL = measures.fall_ratio(5.0, 3.0)
+FALL = learning.fall_ratio(5.0, 3.0)
 
 
 def curves(
@@ -61,35 +61,35 @@ def on_shares(easy=None, difficult=None):
     ],
 )
 def test_near_optimal_is_reached_where_it_stays(actions, trial):
-    assert measures.near_optimal(on_actions(actions)) == [trial]
+    assert learning.near_optimal(on_actions(actions)) == [trial]
 
 
 def test_the_smoothed_measure_of_small_studies_is_the_same_on_smooth_curves():
     falling = np.linspace(3.5, 2.0, 40)
-    (plain,) = measures.near_optimal(on_actions(falling))
+    (plain,) = learning.near_optimal(on_actions(falling))
     assert plain == 290
     assert smoothed_near_optimal_trial(falling) == plain - 10
     # One unlucky set decides the one, and is smoothed away in the other.
     falling[36] = 2.45
-    assert measures.near_optimal(on_actions(falling)) == [370]
+    assert learning.near_optimal(on_actions(falling)) == [370]
     assert smoothed_near_optimal_trial(falling) == plain - 10
 
 
 def test_pretraining_is_looked_at_alone():
     pair = on_actions([9] * 6, [9, 2.5, 2.4, 2.2, 9, 9])
-    assert measures.pretraining_near_optimal(pair) == [20]
+    assert learning.pretraining_near_optimal(pair) == [20]
     late = on_actions([9] * 6, [9, 9, 9, 9, 2, 2])
-    assert measures.pretraining_near_optimal(late) == [INF]
+    assert learning.pretraining_near_optimal(late) == [INF]
 
 
 def test_right_after_the_pretraining_is_the_first_set_after_it():
     pair = on_actions([9] * 9, [9.5, 9, 9, 2, 5, 6.1, 6, 8, 8])
-    assert measures.actions_after_switch(pair) == [5]
+    assert learning.actions_after_switch(pair) == [5]
 
 
 def test_first_unsolved_is_that_of_the_first_ten_trials_of_the_baseline():
     pair = Pair(curves([9] * 5, unsolved=[0.7, 0.1, 0, 0, 0]), curves([9] * 5))
-    assert measures.first_unsolved(pair) == [0.7]
+    assert learning.first_unsolved(pair) == [0.7]
 
 
 def test_a_fall_at_half_the_speed_takes_twice_as_long():
@@ -123,24 +123,24 @@ def test_a_fall_that_began_below_five_counts_from_the_first_set():
 
 def test_relearning_is_counted_from_the_first_random_orientation():
     pair = on_actions([9, 9, 9, 9, 2], [9, 2, 2, 2, 6, 2])
-    assert measures.relearning_ratio(pair) == [0.25]
+    assert learning.relearning_ratio(pair) == [0.25]
     # Not there yet, or nothing to compare with: it never came, or was there at once.
     for without, after in (([9, 2], 9), ([9, 9], 2), ([2, 2], 2)):
-        ratio = measures.relearning_ratio(on_actions(without, [after] * 6))
+        ratio = learning.relearning_ratio(on_actions(without, [after] * 6))
         assert np.isnan(ratio).all()
 
 
 def test_pretraining_is_compared_with_learning_both_sides():
     pair = on_actions([9, 9, 9, 2, 2], [9, 9, 2, 2, 6, 2])
-    np.testing.assert_allclose(measures.pretraining_ratio(pair), [2 / 3])
+    np.testing.assert_allclose(learning.pretraining_ratio(pair), [2 / 3])
     never = on_actions([9, 9, 9, 9, 9], [9, 9, 2, 2, 6, 2])
-    assert np.isnan(measures.pretraining_ratio(never)).all()
+    assert np.isnan(learning.pretraining_ratio(never)).all()
 
 
 def test_the_largest_mean_after_the_pretraining_is_one_of_five_sets():
     pair = on_actions([9] * 12, [9, 9, 9, 9, 6, 9, 6, 6, 8, 8, 7, 6, 6])
-    np.testing.assert_allclose(measures.most_actions(pair), [7.4])
-    assert measures.most_actions_trial(pair) == [10 * (SWITCH + 1 + 2.5)]
+    np.testing.assert_allclose(learning.most_actions(pair), [7.4])
+    assert learning.most_actions_trial(pair) == [10 * (SWITCH + 1 + 2.5)]
 
 
 def easy(optimal):

@@ -11,13 +11,18 @@ from live_by_hand import live_run, live_runs
 from prospect_mj import tables
 from prospect_mj.cli import reproduce as command
 from prospect_mj.errors import InvalidValue, RunFolderError
-from prospect_mj.experiment.paper import ablation, pictures, store
-from prospect_mj.experiment.paper.population import run_population
+from prospect_mj.experiment.paper.ablation import choices
+from prospect_mj.experiment.paper.figures import pictures
+from prospect_mj.experiment.paper.measures.statements import STATEMENTS
+from prospect_mj.experiment.paper.measures.target import Verdict
+from prospect_mj.experiment.paper.populations import store
+from prospect_mj.experiment.paper.populations.population import run_population
+from prospect_mj.experiment.paper.populations.scenario import (
+    PopulationSettings,
+    Scenario,
+)
 from prospect_mj.experiment.paper.reproduce import n_steps, reproduce
 from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
-from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
-from prospect_mj.experiment.paper.statements import STATEMENTS
-from prospect_mj.experiment.paper.target import Verdict
 from prospect_mj.locking import LockedFolder
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
@@ -38,10 +43,8 @@ def shown():
 def few_variants():
     """Two choices are enough to see the table; sources are read elsewhere."""
     with pytest.MonkeyPatch.context() as patch:
-        both = [
-            v for v in ablation.variants() if v.factor == "bootstrapping at the cap"
-        ]
-        patch.setattr(ablation, "variants", lambda: both)
+        both = [v for v in choices.variants() if v.factor == "bootstrapping at the cap"]
+        patch.setattr(choices, "variants", lambda: both)
         patch.setattr(store, "source_digest", lambda: "sources")
         patch.setattr(RecordingKey, "differences", lambda *keys: ["physics changed"])
         yield
@@ -200,9 +203,9 @@ def test_jobs_are_told_as_they_were_when_it_was_learned_and_older_files_counted(
 def test_equal_choices_have_equal_intervals(
     done, shown, monkeypatch, tmp_path, undrawn
 ):
-    default = ablation.variants()[0]
+    default = choices.variants()[0]
     twice = [replace(default, factor=name) for name in ("one", "other")]
-    monkeypatch.setattr(ablation, "variants", lambda: twice)
+    monkeypatch.setattr(choices, "variants", lambda: twice)
     shutil.copytree(done, tmp_path / "copy")
     with pytest.warns(UserWarning, match="no longer read"):
         reproduce(shown, CONFIG, tmp_path / "copy", 1)

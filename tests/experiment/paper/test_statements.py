@@ -4,22 +4,22 @@ import numpy as np
 import pytest
 from synthetic import pair, sampled
 
-from prospect_mj.experiment.paper import (
+from prospect_mj.experiment.paper.measures import (
     easy_trials,
-    measures,
+    learning,
     quantity,
-    report_statements,
     statements,
 )
-from prospect_mj.experiment.paper.bootstrap import Interval
-from prospect_mj.experiment.paper.quantity import Kind
-from prospect_mj.experiment.paper.sample import Sample
-from prospect_mj.experiment.paper.statements import (
+from prospect_mj.experiment.paper.measures.bootstrap import Interval
+from prospect_mj.experiment.paper.measures.quantity import Kind
+from prospect_mj.experiment.paper.measures.sample import Sample
+from prospect_mj.experiment.paper.measures.statements import (
     EARLY_FIRST,
     STATEMENTS,
     Judgement,
 )
-from prospect_mj.experiment.paper.target import Target, Verdict, about, agreed
+from prospect_mj.experiment.paper.measures.target import Target, Verdict, about, agreed
+from prospect_mj.experiment.paper.report import report_statements
 
 INF, NAN = np.inf, np.nan
 FALL = next(m for s in STATEMENTS for m in s.measures if "5_to_3" in m.name)
@@ -149,10 +149,10 @@ def test_what_was_planted_is_judged():
     sample = sampled(*pair(runs=100))
     judged = {j.measure: j for j in statements.judge(sample)}
     # Planted: a chance of 0.97 after 485 trials, 0.93 of which is near-optimal enough.
-    near = judged[measures.near_optimal]
+    near = judged[learning.near_optimal]
     assert 440 <= near.measured.estimate <= 490
     assert near.verdict == Verdict.FAILS
-    assert judged[measures.pretraining_near_optimal].measured.estimate < 230
+    assert judged[learning.pretraining_near_optimal].measured.estimate < 230
     # Planted: from 0.97 to 0.3, then as fast as without pretraining.
     assert judged[easy_trials.easy_drop].measured.estimate == pytest.approx(
         0.67, abs=0.1
@@ -165,10 +165,10 @@ def test_what_was_planted_is_judged():
 def test_fitted_statements_are_those_that_the_defaults_were_chosen_by():
     numbers = {said.measures[0]: said.target.number for said in statements.FITTED}
     assert numbers == {
-        measures.first_unsolved: 0.5,
-        measures.near_optimal: 650,
-        measures.pretraining_near_optimal: 250,
-        measures.actions_after_switch: 6.0,
+        learning.first_unsolved: 0.5,
+        learning.near_optimal: 650,
+        learning.pretraining_near_optimal: 250,
+        learning.actions_after_switch: 6.0,
     }
 
 
@@ -199,8 +199,8 @@ def test_a_study_too_short_to_tell_denies_nothing():
     never = np.full_like(sample.mean.baseline.actions[:, :56], 5.0)
     short = Sample(*(cut(one, never) for one in sample))
     verdicts = {j.measure: j.verdict for j in statements.judge(short)}
-    assert verdicts[measures.near_optimal] == Verdict.OPEN
-    assert verdicts[measures.pretraining_ratio] == Verdict.OPEN
+    assert verdicts[learning.near_optimal] == Verdict.OPEN
+    assert verdicts[learning.pretraining_ratio] == Verdict.OPEN
     assert verdicts[FALL] == Verdict.OPEN
 
 
