@@ -16,6 +16,7 @@ from prospect_mj.experiment.paper.live.live_folders import FoundRuns, read_live
 from prospect_mj.experiment.paper.measures import statements
 from prospect_mj.experiment.paper.measures.sample import Resampling, Sample
 from prospect_mj.experiment.paper.populations.optimum import optimum
+from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
 from prospect_mj.experiment.paper.populations.scenario import PopulationSettings
 from prospect_mj.experiment.paper.populations.speed import Speed, measured_speed
 from prospect_mj.experiment.paper.populations.store import Kept, Store, recording_digest
@@ -27,7 +28,6 @@ from prospect_mj.experiment.paper.report.report import (
     report,
 )
 from prospect_mj.experiment.paper.report.report_folder import REPORT, ReportFolder
-from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
 from prospect_mj.recording.hands import LEFT, RIGHT
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording

@@ -17,12 +17,12 @@ from prospect_mj.experiment.paper.measures.statements import STATEMENTS
 from prospect_mj.experiment.paper.measures.target import Verdict
 from prospect_mj.experiment.paper.populations import store
 from prospect_mj.experiment.paper.populations.population import run_population
+from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
 from prospect_mj.experiment.paper.populations.scenario import (
     PopulationSettings,
     Scenario,
 )
 from prospect_mj.experiment.paper.reproduce import n_steps, reproduce
-from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
 from prospect_mj.locking import LockedFolder
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording

@@ -21,8 +21,8 @@ from prospect_mj.experiment.paper.live.live_check import LiveCheck
 from prospect_mj.experiment.paper.measures.bootstrap import LEVEL, Floats
 from prospect_mj.experiment.paper.measures.sample import Sample
 from prospect_mj.experiment.paper.populations.optimum import BySide, Optimum
+from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
 from prospect_mj.experiment.paper.populations.scenario import Scenario
-from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
 
 
 class Picture(NamedTuple):

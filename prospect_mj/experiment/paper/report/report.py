@@ -10,6 +10,10 @@ from prospect_mj.experiment.paper.measures.bootstrap import LEVEL, RESAMPLES
 from prospect_mj.experiment.paper.measures.sample import Sample
 from prospect_mj.experiment.paper.measures.statements import Judgement
 from prospect_mj.experiment.paper.populations.optimum import Optimum
+from prospect_mj.experiment.paper.populations.reproduce_config import (
+    PRETRAIN,
+    ReproduceConfig,
+)
 from prospect_mj.experiment.paper.populations.speed import Speed
 from prospect_mj.experiment.paper.report import (
     report_ablation,
@@ -17,7 +21,6 @@ from prospect_mj.experiment.paper.report import (
     report_live,
     report_statements,
 )
-from prospect_mj.experiment.paper.reproduce_config import PRETRAIN, ReproduceConfig
 from prospect_mj.recording.key import RecordingKey
 
 ABLATION = "ablation"

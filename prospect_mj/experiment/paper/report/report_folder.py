@@ -16,7 +16,7 @@ import yaml
 
 from prospect_mj import tables
 from prospect_mj.errors import RunFolderError
-from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
+from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
 from prospect_mj.locking import LockedFolder
 from prospect_mj.storage import make_folder, read_yaml, replace_file, temporary
 
