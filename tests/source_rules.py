@@ -19,10 +19,10 @@ CONFINED = {
     "matplotlib": (
         "prospect_mj/experiment/automaton_plot.py",
         "prospect_mj/experiment/field_plot.py",
-        "prospect_mj/experiment/paper/direct_labels.py",
-        "prospect_mj/experiment/paper/figure_frame.py",
-        "prospect_mj/experiment/paper/figures.py",
-        "prospect_mj/experiment/paper/strategy_figure.py",
+        "prospect_mj/experiment/paper/figures/direct_labels.py",
+        "prospect_mj/experiment/paper/figures/figure_frame.py",
+        "prospect_mj/experiment/paper/figures/actions_figure.py",
+        "prospect_mj/experiment/paper/figures/strategy_figure.py",
         "prospect_mj/experiment/plots.py",
         "prospect_mj/experiment/vision_plots.py",
     ),
@@ -32,7 +32,10 @@ CONFINED = {
     ),
     # Compiled code on disk grows stale unseen where what it calls is in another file,
     # but for the planner's: see `planning.kernel_cache`.
-    "numba": ("prospect_mj/experiment/paper/kernel.py", "prospect_mj/planning/"),
+    "numba": (
+        "prospect_mj/experiment/paper/populations/kernel.py",
+        "prospect_mj/planning/",
+    ),
     "ray": ("prospect_mj/recording/ray_cluster.py",),
     "rerun": (),
 }

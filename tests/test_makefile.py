@@ -44,8 +44,8 @@ def make(tmp_path):
         ("live", "--runs=20 --trials=1000"),
         ("live RUNS=5", "--runs=5 --trials=1000"),
         (
-            "live RUNS=5 TRIALS=430 OUT=some/folder ARGS=--jobs=1",
-            "--runs=5 --trials=430 --out=some/folder --jobs=1",
+            "live RUNS=5 TRIALS=700 OUT=some/folder ARGS=--jobs=1",
+            "--runs=5 --trials=700 --out=some/folder --jobs=1",
         ),
     ],
 )

@@ -10,8 +10,8 @@ import tyro
 from tqdm import tqdm
 
 from prospect_mj.cli import command_line
-from prospect_mj.experiment.paper import live_runs
-from prospect_mj.experiment.paper.live_runs import LiveRuns
+from prospect_mj.experiment.paper.live import live_runs
+from prospect_mj.experiment.paper.live.live_runs import LiveRuns
 from prospect_mj.recording.workers import Workers
 from prospect_mj.sim import gl
 

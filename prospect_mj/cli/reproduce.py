@@ -10,9 +10,9 @@ from tqdm import tqdm
 
 from prospect_mj.checks import check_integer
 from prospect_mj.cli import command_line
-from prospect_mj.experiment.paper.population import MOST_JOBS
+from prospect_mj.experiment.paper.populations.population import MOST_JOBS
+from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
 from prospect_mj.experiment.paper.reproduce import n_steps, reproduce
-from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
 from prospect_mj.recording.recording import Recording
 
 

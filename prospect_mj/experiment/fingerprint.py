@@ -6,13 +6,19 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from prospect_mj import paths
+from prospect_mj import agent, paths
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.recording import files
 from prospect_mj.recording.key import RecordingKey
-from prospect_mj.recording.provenance import model_digests, sha256, source_digest
+from prospect_mj.recording.provenance import (
+    code_digest,
+    model_digests,
+    sha256,
+    source_digest,
+)
 
 CONFIGURATION = "configuration"
+LEARNER = "learner"
 
 
 def digests(config: TrainConfig) -> dict[str, str]:
@@ -22,17 +28,26 @@ def digests(config: TrainConfig) -> dict[str, str]:
         config: the run; `trials` does not count, as a run may be made longer.
 
     Returns:
-        Hexadecimal digest of the configuration, of each model file, and of recorded
-        physics or of the sources of live physics, by name.
+        Hexadecimal digest of the configuration, of each model file, of the learner's
+        code, and of recorded physics or of the sources of live physics, by name.
 
     Raises:
         MissingFile: if a model file is missing.
         RecordingError: if there is no recording where there should be one.
     """
-    found = {CONFIGURATION: of_settings(asdict(config))} | model_digests()
+    found = {CONFIGURATION: of_settings(asdict(config)), LEARNER: learner_digest()}
+    found |= model_digests()
     if config.physics == "recorded":
         return found | {"recording": _recording_digest(config)}
     return found | {"sources": source_digest()}
+
+
+def learner_digest() -> str:
+    """SHA-256 of the learner's code; comments, docstrings and layout don't count."""
+    folder = Path(agent.__file__).parent
+    return code_digest(
+        (path.name, path.read_text("utf-8")) for path in sorted(folder.glob("*.py"))
+    )
 
 
 def of_settings(settings: Mapping[str, Any]) -> str:

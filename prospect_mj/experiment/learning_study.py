@@ -25,9 +25,16 @@ from prospect_mj.experiment.learning_curve import (
     block_means,
     smoothed_near_optimal_trial,
 )
-from prospect_mj.experiment.paper.compiled_learner import run_frozen, run_trials
-from prospect_mj.experiment.paper.kernel import Trials
-from prospect_mj.experiment.paper.outcome_graph import HANDS, ideal_graph, ideal_root
+from prospect_mj.experiment.paper.populations.compiled_learner import (
+    run_frozen,
+    run_trials,
+)
+from prospect_mj.experiment.paper.populations.kernel import Trials
+from prospect_mj.experiment.paper.populations.outcome_graph import (
+    HANDS,
+    ideal_graph,
+    ideal_root,
+)
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
 _ROOT = dict(zip(ORIENTATIONS, map(ideal_root, HANDS), strict=True))

@@ -7,10 +7,7 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from prospect_mj.actions.action import Action
-from prospect_mj.recording.hands import LEFT as LEFT
-from prospect_mj.recording.hands import NONE as NONE
 from prospect_mj.recording.hands import NUMBERS, number_of
-from prospect_mj.recording.hands import RIGHT as RIGHT
 from prospect_mj.recording.node_predicates import COLUMNS, predicates_of
 from prospect_mj.supervisor.predicates import PredicateState
 from prospect_mj.supervisor.supervisor import Supervisor

@@ -17,9 +17,9 @@ from prospect_mj.envs.pick_place import PickPlaceEnv
 from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.errors import InvalidChoice, InvalidValue, RecordingError
 from prospect_mj.recording import provenance
-from prospect_mj.recording.arrays import LEFT, RIGHT
 from prospect_mj.recording.config import RecordingConfig
 from prospect_mj.recording.growing import GrowingRecording
+from prospect_mj.recording.hands import LEFT, RIGHT
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
 from prospect_mj.task.presentation import ORIENTATIONS, PresentationSettings

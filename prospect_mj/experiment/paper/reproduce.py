@@ -7,31 +7,28 @@ from pathlib import Path
 
 import numpy as np
 
-from prospect_mj.experiment.paper import (
-    ablation,
-    ablation_table,
-    live_check,
-    pictures,
-    statements,
-)
-from prospect_mj.experiment.paper.captions import LIVE
-from prospect_mj.experiment.paper.live_check import LiveCheck
-from prospect_mj.experiment.paper.live_folders import FoundRuns, read_live
-from prospect_mj.experiment.paper.optimum import optimum
-from prospect_mj.experiment.paper.report import (
+from prospect_mj.experiment.paper.ablation import ablation_table, choices
+from prospect_mj.experiment.paper.figures import pictures
+from prospect_mj.experiment.paper.figures.captions import LIVE
+from prospect_mj.experiment.paper.live import live_check
+from prospect_mj.experiment.paper.live.live_check import LiveCheck
+from prospect_mj.experiment.paper.live.live_folders import FoundRuns, read_live
+from prospect_mj.experiment.paper.measures import statements
+from prospect_mj.experiment.paper.measures.sample import Resampling, Sample
+from prospect_mj.experiment.paper.populations.optimum import optimum
+from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
+from prospect_mj.experiment.paper.populations.scenario import PopulationSettings
+from prospect_mj.experiment.paper.populations.speed import Speed, measured_speed
+from prospect_mj.experiment.paper.populations.store import Kept, Store, recording_digest
+from prospect_mj.experiment.paper.report.report import (
     ABLATION,
     STATEMENTS,
     Results,
     Timing,
     report,
 )
-from prospect_mj.experiment.paper.report_folder import REPORT, ReportFolder
-from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
-from prospect_mj.experiment.paper.sample import Resampling, Sample
-from prospect_mj.experiment.paper.scenario import PopulationSettings
-from prospect_mj.experiment.paper.speed import Speed, measured_speed
-from prospect_mj.experiment.paper.store import Kept, Store, recording_digest
-from prospect_mj.recording.arrays import LEFT, RIGHT
+from prospect_mj.experiment.paper.report.report_folder import REPORT, ReportFolder
+from prospect_mj.recording.hands import LEFT, RIGHT
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
 
@@ -60,7 +57,7 @@ class _Study:
 
 def n_steps() -> int:
     """Times that `reproduce` calls its tick."""
-    return 2 * (1 + len(ablation.variants()))
+    return 2 * (1 + len(choices.variants()))
 
 
 def reproduce(
@@ -123,14 +120,14 @@ def _results(study: _Study, shown: tuple[int, int], found: FoundRuns | None) -> 
     )
 
 
-def _rows(study: _Study, rng: np.random.Generator) -> Iterator[ablation.Row]:
+def _rows(study: _Study, rng: np.random.Generator) -> Iterator[choices.Row]:
     """One after the other, all with the same resamples of runs of the same seeds."""
     default = study.config.ablation
     resampling = Resampling.draw(default.runs, rng)
-    for variant in ablation.variants():
+    for variant in choices.variants():
         settings = variant.settings(default)
         sample = _sampled(study.learned(settings), resampling)
-        yield ablation.measure_row(variant, settings == default, sample)
+        yield choices.measure_row(variant, settings == default, sample)
 
 
 def _sampled(kept: tuple[Kept, Kept], resampling: Resampling) -> Sample:
@@ -141,7 +138,9 @@ def _sampled(kept: tuple[Kept, Kept], resampling: Resampling) -> Sample:
 def _timing(kept: tuple[Kept, Kept], speed: Speed) -> Timing:
     n_actions = sum(int(one.population.n_actions.sum(dtype=np.int64)) for one in kept)
     seconds = sum(one.seconds for one in kept)
-    return Timing(seconds, tuple(sorted({one.jobs for one in kept})), n_actions, speed)
+    jobs = tuple(sorted({one.jobs for one in kept}))
+    earlier = any(one.earlier for one in kept)
+    return Timing(seconds, jobs, n_actions, earlier, speed)
 
 
 def _presentations(recording: Recording) -> tuple[int, int]:

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from prospect_mj.experiment.paper.population import Population
-from prospect_mj.experiment.paper.sample import Resampling, Sample
-from prospect_mj.experiment.paper.scenario import Scenario
-from prospect_mj.experiment.paper.strategies import Strategy
-from prospect_mj.recording.arrays import LEFT, RIGHT
+from prospect_mj.experiment.paper.measures.sample import Resampling, Sample
+from prospect_mj.experiment.paper.populations.population import Population
+from prospect_mj.experiment.paper.populations.scenario import Scenario
+from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.recording.hands import LEFT, RIGHT
 
 ACTIONS = np.array([2, 3, 4, 10], np.int8)
 """Actions of a trial with each strategy; what fits none is cut off here."""

@@ -1,29 +1,33 @@
 from collections import defaultdict
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
 from ideal_recording import ideal, recording
 from synthetic import pair, sampled
 
-from prospect_mj.experiment.paper import ablation, ablation_table, report_ablation
-from prospect_mj.experiment.paper.ablation import Row, Variant
-from prospect_mj.experiment.paper.bootstrap import Interval, interval
-from prospect_mj.experiment.paper.curves import Curves
-from prospect_mj.experiment.paper.programme import Programme
-from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
-from prospect_mj.experiment.paper.sample import Pair
-from prospect_mj.experiment.paper.scenario import PopulationSettings
-from prospect_mj.experiment.paper.statements import STATEMENTS, Judgement
-from prospect_mj.experiment.paper.target import Verdict
+from prospect_mj.experiment.paper.ablation import ablation_table, choices
+from prospect_mj.experiment.paper.ablation.choices import Row, Variant
+from prospect_mj.experiment.paper.measures.bootstrap import Interval, interval
+from prospect_mj.experiment.paper.measures.curves import Curves
+from prospect_mj.experiment.paper.measures.sample import Pair
+from prospect_mj.experiment.paper.measures.statements import STATEMENTS, Judgement
+from prospect_mj.experiment.paper.measures.target import Verdict
+from prospect_mj.experiment.paper.populations.programme import Programme
+from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
+from prospect_mj.experiment.paper.populations.scenario import PopulationSettings
+from prospect_mj.experiment.paper.report import report_ablation
 
 DEFAULT = PopulationSettings()
-N = len(STATEMENTS)
-HOLDS, FAILS, OPEN = Verdict
+MEASURED = [(said, measure) for said in STATEMENTS for measure in said.measures]
+N = len(MEASURED)
+HOLDS, FAILS, OPEN = Verdict.HOLDS, Verdict.FAILS, Verdict.OPEN
 
 
 def curves(actions, unsolved, switch):
     none = [np.zeros((1, n, len(actions))) for n in (4, 4, 2, 2)]
-    return Curves(np.array([actions]), np.array([unsolved]), *none, switch)
+    taken = 3 * [np.array([actions])]
+    return Curves(*taken, np.array([unsolved]), *none, switch)
 
 
 def planted(cut_off=0.6, near=650, pretrained=250, peak=6.5):
@@ -37,9 +41,9 @@ def planted(cut_off=0.6, near=650, pretrained=250, peak=6.5):
 
 
 def test_the_published_numbers_are_at_no_distance():
-    assert ablation.distance(planted()) == [0]
-    assert ablation.distance(planted(cut_off=1.0, peak=6.0)) == [0]
-    assert ablation.distance(planted(near=710, pretrained=230)) == [0]
+    assert choices.distance(planted()) == [0]
+    assert choices.distance(planted(cut_off=1.0, peak=6.0)) == [0]
+    assert choices.distance(planted(near=710, pretrained=230)) == [0]
 
 
 @pytest.mark.parametrize(
@@ -55,24 +59,40 @@ def test_the_published_numbers_are_at_no_distance():
     ],
 )
 def test_a_difference_counts_in_tenths_of_the_number_squared(changes, distance):
-    np.testing.assert_allclose(ablation.distance(planted(**changes)), [distance])
+    np.testing.assert_allclose(choices.distance(planted(**changes)), [distance])
 
 
 def test_what_is_never_reached_counts_as_reached_at_the_end():
-    never = ablation.distance(planted(near=2000))
+    never = choices.distance(planted(near=2000))
     np.testing.assert_allclose(never, [(285 / 65) ** 2])
-    never = ablation.distance(planted(pretrained=400))
+    never = choices.distance(planted(pretrained=400))
     np.testing.assert_allclose(never, [(125 / 25) ** 2])
+
+
+def test_what_a_short_study_could_not_reach_is_at_no_distance():
+    short = planted(near=2000)
+    assert choices.distance(replace_end(short, 56)) == [0]
+    np.testing.assert_allclose(choices.distance(replace_end(short, 78)), [1.0])
+
+
+def replace_end(pair, sets):
+    """The same without what follows a number of sets in the first scenario."""
+    shorter = {
+        field.name: getattr(pair.baseline, field.name)[..., :sets]
+        for field in fields(pair.baseline)
+        if field.name != "switch"
+    }
+    return pair._replace(baseline=replace(pair.baseline, **shorter))
 
 
 def test_each_factor_has_the_default_once_and_other_choices():
     factors = defaultdict(list)
-    for variant in ablation.variants():
+    for variant in choices.variants():
         factors[variant.factor].append(variant.settings(DEFAULT))
     assert len(factors) == 6
-    for choices in factors.values():
-        assert choices.count(DEFAULT) == 1
-        assert len(set(map(repr, choices))) == len(choices) > 1
+    for of_it in factors.values():
+        assert of_it.count(DEFAULT) == 1
+        assert len(set(map(repr, of_it))) == len(of_it) > 1
 
 
 def test_a_variant_changes_what_it_names_and_nothing_else():
@@ -106,8 +126,8 @@ COMMON = np.linspace(-3, 3, 101)
 def row(choice, distance, own=0.0, measured=(650.0,) * 3, verdicts=(HOLDS,) * N):
     """A choice whose resampled distances share all chance but its own (101,)."""
     judged = [
-        Judgement(said, Interval(*measured), verdict)
-        for said, verdict in zip(STATEMENTS, verdicts, strict=True)
+        Judgement(said, measure, Interval(*measured), verdict)
+        for (said, measure), verdict in zip(MEASURED, verdicts, strict=True)
     ]
     many = distance + COMMON + own
     variant = Variant("factor", choice, {})
@@ -134,12 +154,12 @@ def names(rows):
 def test_choices_are_told_apart_by_what_chance_they_do_not_share():
     # The intervals of a and c overlap; yet c is farther by 1 in every resample.
     assert ROWS[2].distance.low < ROWS[0].distance.high
-    assert ablation.farther(ROWS[2], ROWS[0]) == (1, 1, 1, 0)
-    assert ablation.farther(ROWS[1], ROWS[0]) == pytest.approx((-1, -2.5, 0.5, 0))
-    assert names(ablation.as_good(ROWS)) == ["b", "f"]
-    assert ablation.nearer(ROWS) == []
-    assert names(ablation.nearer([*ROWS, NEARER])) == ["g"]
-    assert names(ablation.as_good([*ROWS, NEARER])) == ["b", "f"]
+    assert choices.farther(ROWS[2], ROWS[0]) == (1, 1, 1, 0)
+    assert choices.farther(ROWS[1], ROWS[0]) == pytest.approx((-1, -2.5, 0.5, 0))
+    assert names(choices.as_good(ROWS)) == ["b", "f"]
+    assert choices.nearer(ROWS) == []
+    assert names(choices.nearer([*ROWS, NEARER])) == ["g"]
+    assert names(choices.as_good([*ROWS, NEARER])) == ["b", "f"]
 
 
 def report(rows):
@@ -148,10 +168,18 @@ def report(rows):
 
 def test_the_report_says_which_choices_are_as_good_as_the_default():
     text = report(ROWS)
-    assert "- factor: *a* (default); as good: b; f." in text
-    assert "| a (default) |" in text
+    assert "- factor: *a* is the default; as good: *b*; *f*; " in text
+    assert "smallest distance: *b*, 11.00." in text
     assert "never" in text
-    assert "as good: none." in report([ROWS[0], ROWS[2]])
+    assert "as good: no other; " in report([ROWS[0], ROWS[2]])
+
+
+def test_the_default_is_told_once_of_all_things_left_open():
+    again = [replace(row, variant=replace(row.variant, factor="other")) for row in ROWS]
+    text = report([*ROWS, *again])
+    assert text.count("| **the default** |") == 1
+    assert "| a |" not in text
+    assert text.count("| b |") == 2
 
 
 def test_the_report_says_whether_the_default_stands():
@@ -167,7 +195,7 @@ def test_the_report_tells_which_statements_hang_on_a_choice():
     assert lines[-2].endswith("| 1 of 2 | does not hold with factor *b* |")
     assert lines[-1].endswith("| 1 of 2 | undecided with factor *b* |")
     marked = ["(fitted)" in line for line in lines]
-    assert marked == [said.fitted for said in STATEMENTS]
+    assert marked == [said.fitted for said, _ in MEASURED]
 
 
 def test_a_distance_with_something_never_reached_is_a_lower_bound():
@@ -179,15 +207,16 @@ def test_a_distance_with_something_never_reached_is_a_lower_bound():
 
 def test_a_row_is_measured_with_intervals_and_tabulated():
     sample = sampled(*pair())
-    variant = ablation.variants()[0]
-    measured = ablation.measure_row(variant, True, sample)
+    variant = choices.variants()[0]
+    measured = choices.measure_row(variant, True, sample)
     assert measured.distance.low <= measured.distance.estimate <= measured.distance.high
     assert len(measured.fitted) == 4
     (plain,) = ablation_table.table([measured]).to_pylist()
     assert plain["factor"] == variant.factor
     for judged in measured.judgements:
-        assert plain[judged.statement.name] == judged.measured.estimate
-        assert plain[f"{judged.statement.name}_verdict"] == judged.verdict
+        name = judged.measure.name
+        np.testing.assert_equal(plain[name], judged.measured.estimate)
+        assert plain[f"{name}_verdict"] == judged.verdict
     assert plain["distance_high"] == measured.distance.high
 
 

@@ -5,13 +5,13 @@ import pytest
 from numpy.lib.stride_tricks import sliding_window_view
 from synthetic import of_strategies
 
-from prospect_mj.experiment.paper import measures
-from prospect_mj.experiment.paper.bootstrap import band, interval, times_drawn
-from prospect_mj.experiment.paper.curves import RunCounts
-from prospect_mj.experiment.paper.sample import Pair
-from prospect_mj.experiment.paper.scenario import Scenario
-from prospect_mj.experiment.paper.strategies import Strategy
-from prospect_mj.recording.arrays import RIGHT
+from prospect_mj.experiment.paper.measures import easy_trials, learning
+from prospect_mj.experiment.paper.measures.bootstrap import band, interval, times_drawn
+from prospect_mj.experiment.paper.measures.curves import RunCounts
+from prospect_mj.experiment.paper.measures.sample import Pair
+from prospect_mj.experiment.paper.populations.scenario import Scenario
+from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.recording.hands import RIGHT
 
 OPTIMAL, EARLY, LATE, OTHER = Strategy
 
@@ -47,13 +47,15 @@ def planted(runs, rng):
     nothing = np.zeros((runs, 2, len(optimal)))
     taken = np.rint(10 * actions + 0.3 * np.sqrt(10) * rng.standard_normal(shape))
     shares = np.stack([used, 0 * used, 0 * used, 10 - used], axis=1)
-    return RunCounts(taken, 0 * used, shares, shares, nothing, nothing, 10)
+    return RunCounts(
+        taken, taken, taken, 0 * used, shares, shares, nothing, nothing, 10
+    )
 
 
 TRUTH = {
-    measures.easy_drop: 0.98 - sliding_window_view(DIP, 5).mean(axis=1).min(),
-    measures.actions_after_switch: FALL[0],
-    measures.near_optimal: 100 + TRIALS[np.argmax(FALL <= 2.4)],
+    easy_trials.easy_drop: 0.98 - sliding_window_view(DIP, 5).mean(axis=1).min(),
+    learning.actions_after_switch: FALL[0],
+    learning.near_optimal: 100 + TRIALS[np.argmax(FALL <= 2.4)],
 }
 
 
@@ -76,17 +78,17 @@ def missed():
 
 def test_intervals_of_the_drop_cover_it_though_it_is_an_extreme(missed):
     # Among single sets, not means of five, most intervals would lie above it.
-    assert missed[measures.easy_drop].sum() < 0.12
+    assert missed[easy_trials.easy_drop].sum() < 0.12
 
 
 def test_intervals_of_a_mean_of_one_set_miss_to_either_side(missed):
-    above, below = missed[measures.actions_after_switch]
+    above, below = missed[learning.actions_after_switch]
     assert 0 < above < 0.07
     assert 0 < below < 0.07
 
 
 def test_intervals_of_when_a_curve_settles_cover_it(missed):
-    assert missed[measures.near_optimal].sum() < 0.09
+    assert missed[learning.near_optimal].sum() < 0.09
 
 
 def test_an_interval_may_reach_to_infinity():

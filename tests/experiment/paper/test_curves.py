@@ -4,12 +4,16 @@ import numpy as np
 import pytest
 from synthetic import of_strategies, pair
 
-from prospect_mj.experiment.paper import corrections
-from prospect_mj.experiment.paper.bootstrap import band, times_drawn
-from prospect_mj.experiment.paper.curves import RunCounts, mean_of_sets, moving_means
-from prospect_mj.experiment.paper.scenario import Scenario
-from prospect_mj.experiment.paper.strategies import Strategy
-from prospect_mj.recording.arrays import LEFT, NONE, RIGHT
+from prospect_mj.experiment.paper.measures import corrections
+from prospect_mj.experiment.paper.measures.bootstrap import band, times_drawn
+from prospect_mj.experiment.paper.measures.curves import (
+    RunCounts,
+    mean_of_sets,
+    moving_means,
+)
+from prospect_mj.experiment.paper.populations.scenario import Scenario
+from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.recording.hands import LEFT, NONE, RIGHT
 
 OPTIMAL, EARLY, LATE, OTHER = Strategy
 
@@ -67,7 +71,7 @@ def test_a_share_of_just_the_threshold_is_the_threshold(runs):
     strategy = np.full((5 * runs, 10), LATE)
     strategy[::5, 0] = EARLY
     counts = RunCounts.of(of_strategies(strategy, LEFT, Scenario(10)))
-    assert counts.mean().difficult[0, EARLY, 0] == corrections.GONE
+    assert counts.mean().difficult[0, EARLY, 0] == corrections.GONE[0]
 
 
 def test_equal_means_are_equal_to_the_last_bit_in_whatever_order_runs_come():

@@ -2,7 +2,11 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from prospect_mj.experiment.paper.direct_labels import Named, best_place, write_names
+from prospect_mj.experiment.paper.figures.direct_labels import (
+    Named,
+    best_place,
+    write_names,
+)
 
 FRAME = np.array([0.0, 0.0, 800.0, 400.0])
 HALF = np.array([60.0, 10.0])

@@ -6,18 +6,24 @@ from ideal_recording import clumsy, ideal, one_handed, recording, unseen
 
 from prospect_mj.agent import FeatureSettings, LearnerSettings
 from prospect_mj.errors import InvalidValue, RecordingError
-from prospect_mj.experiment.paper.compiled_learner import run_frozen, run_trials
-from prospect_mj.experiment.paper.kernel import Trials
-from prospect_mj.experiment.paper.outcome_graph import (
+from prospect_mj.experiment.paper.populations.compiled_learner import (
+    run_frozen,
+    run_trials,
+)
+from prospect_mj.experiment.paper.populations.kernel import Trials
+from prospect_mj.experiment.paper.populations.outcome_graph import (
     HANDS,
     ideal_graph,
     ideal_root,
     phases,
 )
-from prospect_mj.experiment.paper.plain import learn_plainly
-from prospect_mj.experiment.paper.population import learn
-from prospect_mj.experiment.paper.programme import Programme
-from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
+from prospect_mj.experiment.paper.populations.plain import learn_plainly
+from prospect_mj.experiment.paper.populations.population import learn
+from prospect_mj.experiment.paper.populations.programme import Programme
+from prospect_mj.experiment.paper.populations.scenario import (
+    PopulationSettings,
+    Scenario,
+)
 from prospect_mj.recording.recording import Recording
 from prospect_mj.supervisor.supervisor import Supervisor
 

@@ -14,20 +14,21 @@ from prospect_mj.planning import kernel_cache
 PACKAGE = Path(paths.__file__).parent
 IMPORT = """
 import numba
-from prospect_mj.experiment.paper import kernel
+from prospect_mj.experiment.paper.populations import kernel
 print(numba.config.CACHE_DIR)
 """
 LEARN = """
 import numpy as np
 from ideal_recording import ideal, recording
-from prospect_mj.experiment.paper import compiled_learner
-from prospect_mj.experiment.paper.population import learn
-from prospect_mj.experiment.paper.programme import Programme
-from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
+from prospect_mj.experiment.paper.populations import compiled_learner
+from prospect_mj.experiment.paper.populations.population import learn
+from prospect_mj.experiment.paper.populations.programme import Programme
+from prospect_mj.experiment.paper.populations import scenario
 
 once = recording(left=(ideal,), right=(ideal,))
-for settings in (PopulationSettings(), PopulationSettings(image_noise=0.05)):
-    programme = Programme(once, Scenario(3), settings)
+for changes in ({}, {"image_noise": 0.05}):
+    settings = scenario.PopulationSettings(**changes)
+    programme = Programme(once, scenario.Scenario(3), settings)
     learned = learn(programme, 0)
     trials = programme.run(0).trials
     compiled_learner.run_frozen(learned.weights, programme.graph, trials)

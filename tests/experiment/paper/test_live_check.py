@@ -4,11 +4,12 @@ import numpy as np
 import pytest
 from synthetic import improving, pair
 
-from prospect_mj.experiment.paper import figures, live_check
-from prospect_mj.experiment.paper.figure_frame import Heading
-from prospect_mj.experiment.paper.live_folders import FoundRuns
-from prospect_mj.experiment.paper.report_live import section
-from prospect_mj.experiment.paper.scenario import Scenario
+from prospect_mj.experiment.paper.figures import actions_figure
+from prospect_mj.experiment.paper.figures.figure_frame import Heading
+from prospect_mj.experiment.paper.live import live_check
+from prospect_mj.experiment.paper.live.live_folders import FoundRuns
+from prospect_mj.experiment.paper.populations.scenario import Scenario
+from prospect_mj.experiment.paper.report.report_live import section
 
 
 def seeded():
@@ -144,7 +145,9 @@ def test_both_are_drawn():
     found = FoundRuns(recorded.n_actions[:5], 0)
     check = live_check.check(found, recorded, seeded())
     heading = Heading("Title", "means")
-    once, again = (figures.live(check.table, heading, 10, 2.0, 5) for _ in range(2))
+    once, again = (
+        actions_figure.live(check.table, heading, 10, 2.0, 5) for _ in range(2)
+    )
     assert once == again
     moved = check.table.set_column(1, "live", check.table["recorded"])
-    assert figures.live(moved, heading, 10, 2.0, 5) != once
+    assert actions_figure.live(moved, heading, 10, 2.0, 5) != once

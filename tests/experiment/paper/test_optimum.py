@@ -7,14 +7,14 @@ import pytest
 from ideal_recording import clumsy, ideal, one_handed, recording, unseen
 
 from prospect_mj.errors import RecordingError
-from prospect_mj.experiment.paper.kernel import Graph
-from prospect_mj.experiment.paper.optimum import (
+from prospect_mj.experiment.paper.populations.kernel import Graph
+from prospect_mj.experiment.paper.populations.optimum import (
     BySide,
     fewest_actions,
     optimal_strategy_alone,
     optimum,
 )
-from prospect_mj.experiment.paper.outcome_graph import recorded_graph
+from prospect_mj.experiment.paper.populations.outcome_graph import recorded_graph
 from prospect_mj.recording.recording import Recording
 from prospect_mj.supervisor.supervisor import Supervisor
 

@@ -8,16 +8,22 @@ from ideal_recording import ideal, recording
 
 from prospect_mj.agent import LearnerSettings
 from prospect_mj.errors import InvalidChoice, InvalidValue, RecordingError
-from prospect_mj.experiment.paper.optimum import optimum
-from prospect_mj.experiment.paper.plain import learn_plainly
-from prospect_mj.experiment.paper.population import Population, run_population
-from prospect_mj.experiment.paper.programme import Programme
-from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
-from prospect_mj.experiment.paper.speed import measured_speed
-from prospect_mj.experiment.paper.strategies import Strategy, easy
-from prospect_mj.recording.arrays import LEFT, RIGHT
+from prospect_mj.experiment.paper.populations.optimum import optimum
+from prospect_mj.experiment.paper.populations.plain import learn_plainly
+from prospect_mj.experiment.paper.populations.population import (
+    Population,
+    run_population,
+)
+from prospect_mj.experiment.paper.populations.programme import Programme
+from prospect_mj.experiment.paper.populations.scenario import (
+    PopulationSettings,
+    Scenario,
+)
+from prospect_mj.experiment.paper.populations.speed import measured_speed
+from prospect_mj.experiment.paper.populations.strategies import Strategy, easy
 from prospect_mj.recording.config import RecordingConfig
 from prospect_mj.recording.grower import presentation_rng
+from prospect_mj.recording.hands import LEFT, RIGHT
 from prospect_mj.recording.recording import Recording
 from prospect_mj.task.presentation import ORIENTATIONS
 
@@ -225,8 +231,9 @@ def test_learners_become_prospective(good):
 
 
 def test_the_compiled_learner_is_the_faster_one(good):
-    speed = measured_speed(good, Scenario(100), SMALL, runs=3)
-    assert speed.kernel > 5 * speed.plain > 0
+    speed = measured_speed(good, Scenario(100), SMALL, runs=20)
+    # It is sixty times as fast; what one run has against another is chance.
+    assert speed.kernel > 20 * speed.plain > 0
 
 
 def test_a_dominant_hand_misleads_at_first_in_recorded_physics():

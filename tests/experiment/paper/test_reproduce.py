@@ -11,19 +11,24 @@ from live_by_hand import live_run, live_runs
 from prospect_mj import tables
 from prospect_mj.cli import reproduce as command
 from prospect_mj.errors import InvalidValue, RunFolderError
-from prospect_mj.experiment.paper import ablation, pictures, store
-from prospect_mj.experiment.paper.population import run_population
+from prospect_mj.experiment.paper.ablation import choices
+from prospect_mj.experiment.paper.figures import pictures
+from prospect_mj.experiment.paper.measures.statements import STATEMENTS
+from prospect_mj.experiment.paper.measures.target import Verdict
+from prospect_mj.experiment.paper.populations import store
+from prospect_mj.experiment.paper.populations.population import run_population
+from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
+from prospect_mj.experiment.paper.populations.scenario import (
+    PopulationSettings,
+    Scenario,
+)
 from prospect_mj.experiment.paper.reproduce import n_steps, reproduce
-from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
-from prospect_mj.experiment.paper.sample import title
-from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
-from prospect_mj.experiment.paper.statements import STATEMENTS
 from prospect_mj.locking import LockedFolder
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
 from prospect_mj.recording.schema import SCHEMA
 
-CONFIG = ReproduceConfig(runs=3, trials=430, ablation_runs=2)
+CONFIG = ReproduceConfig(runs=3, trials=700, ablation_runs=2)
 FIGURES = ("figure_5a", "figure_5b", "figure_6a", "figure_6b")
 
 
@@ -38,10 +43,8 @@ def shown():
 def few_variants():
     """Two choices are enough to see the table; sources are read elsewhere."""
     with pytest.MonkeyPatch.context() as patch:
-        both = [
-            v for v in ablation.variants() if v.factor == "bootstrapping at the cap"
-        ]
-        patch.setattr(ablation, "variants", lambda: both)
+        both = [v for v in choices.variants() if v.factor == "bootstrapping at the cap"]
+        patch.setattr(choices, "variants", lambda: both)
         patch.setattr(store, "source_digest", lambda: "sources")
         patch.setattr(RecordingKey, "differences", lambda *keys: ["physics changed"])
         yield
@@ -51,8 +54,8 @@ def few_variants():
 def live(tmp_path_factory):
     """Folders of two live runs, and of one that isn't finished."""
     folder = tmp_path_factory.mktemp("live")
-    live_runs(folder, np.random.default_rng(0).integers(2, 11, (2, 430)))
-    live_run(folder / "seed-0002", [10] * 40, trials=430, seed=2)
+    live_runs(folder, np.random.default_rng(0).integers(2, 11, (2, 700)))
+    live_run(folder / "seed-0002", [10] * 40, trials=700, seed=2)
     return folder
 
 
@@ -84,7 +87,7 @@ def test_everything_is_written_and_linked(done):
     linked = re.findall(r"\]\(([^)]*)\)", report)
     assert all((done / link).is_file() for link in linked)
     rows = pq.ParquetFile(done / "statements.parquet").read()
-    assert rows.num_rows == len(STATEMENTS)
+    assert rows.num_rows == sum(len(said.measures) for said in STATEMENTS)
     assert pq.ParquetFile(done / "ablation.parquet").metadata.num_rows == 2
     assert not [file for file in done.rglob("*") if file.name.startswith(".")]
 
@@ -96,15 +99,15 @@ def test_the_report_tells_every_statement_with_its_verdict(done, shown):
             line
             for line in report.splitlines()
             if line.startswith(f"| {statement.text} | {statement.target.words} | ")
-            and f" | {title(statement.measure)}: " in line
+            and f" | {statement.measures[0].title}: " in line
         }
         fitted = ", fitted" if statement.fitted else ""
-        verdict = rf"\*\*(holds|does not hold|undecided)\*\*{fitted} \|$"
+        verdict = rf"\*\*({'|'.join(Verdict)})\*\*{fitted} \|$"
         assert re.search(verdict, line)
     assert "2 presentations with the lid to the left and 2" in report
     assert "best possible mean is 2.000" in report
     assert "of those who explore as the learner does, 2.09" in report
-    assert "430 trials per run" in report
+    assert "700 trials per run" in report
     assert f"key {shown.key.digest[:16]}, seed 0, harmonic gross motion" in report
     assert "Changes: physics changed." in report
     lacking = "2 (1 unfinished, 17 of the 20 expected not begun)"
@@ -200,9 +203,9 @@ def test_jobs_are_told_as_they_were_when_it_was_learned_and_older_files_counted(
 def test_equal_choices_have_equal_intervals(
     done, shown, monkeypatch, tmp_path, undrawn
 ):
-    default = ablation.variants()[0]
+    default = choices.variants()[0]
     twice = [replace(default, factor=name) for name in ("one", "other")]
-    monkeypatch.setattr(ablation, "variants", lambda: twice)
+    monkeypatch.setattr(choices, "variants", lambda: twice)
     shutil.copytree(done, tmp_path / "copy")
     with pytest.warns(UserWarning, match="no longer read"):
         reproduce(shown, CONFIG, tmp_path / "copy", 1)
@@ -254,7 +257,7 @@ def broken(tmp_path, shown):
     [
         ("--runs 0", "runs is 0"),
         ("--trials -1", "trials is -1"),
-        ("--trials 12", "expected an integer from 430"),
+        ("--trials 12", "expected an integer from 700"),
         ("--jobs 0", "jobs is 0"),
         ("--recording nowhere", "not a recording"),
         ("--recording empty", "without any tree"),
@@ -279,7 +282,7 @@ def given(shown, monkeypatch, tmp_path):
     monkeypatch.setattr(Recording, "load", lambda path: shown)
     monkeypatch.setattr(Recording, "warn_if_foreign", lambda recording: None)
     monkeypatch.chdir(tmp_path)
-    sizes = "--runs 2 --trials 430 --ablation-runs 2 --jobs 1"
+    sizes = "--runs 2 --trials 700 --ablation-runs 2 --jobs 1"
     return [*sizes.split(), "--out", "out"]
 
 
@@ -302,25 +305,25 @@ def test_the_command_writes_the_report_and_nothing_but_its_path(
 
 def test_the_command_compares_live_runs(tmp_path, given, capsys, undrawn):
     # As many actions as the cap allows in every trial: those runs never learned.
-    live_runs(tmp_path / "live", np.full((20, 430), 10))
+    live_runs(tmp_path / "live", np.full((20, 700), 10))
     assert command.main([*given, "--live", "live"]) == 0
     assert capsys.readouterr().err == ""
     report = (tmp_path / "out" / "report.md").read_text()
     assert "Complete runs on live physics: 20. " in report
     assert "**They do not agree.**" in report
     table = pq.ParquetFile(tmp_path / "out" / "live.parquet").read()
-    assert table["live"].to_pylist() == [10.0] * 43
+    assert table["live"].to_pylist() == [10.0] * 70
     assert (tmp_path / "out" / "live.png").is_file()
 
 
 def test_live_runs_that_did_what_recorded_ones_did_agree(
     tmp_path, given, shown, undrawn
 ):
-    settings = PopulationSettings(runs=20, seed=7)
-    learned = run_population(shown, Scenario(430), settings)
+    settings = PopulationSettings(runs=20, seed=4)
+    learned = run_population(shown, Scenario(700), settings)
     live_runs(tmp_path / "live", learned.n_actions)
-    # Of hundred learners, as a band over the means of two would be none.
-    given[1] = "100"
+    # Of so many that their own chance adds little to that of the twenty.
+    given[1] = "200"
     assert command.main([*given, "--live", "live"]) == 0
     report = (tmp_path / "out" / "report.md").read_text()
     assert "**They agree.**" in report
@@ -343,9 +346,9 @@ def test_bad_live_runs_are_one_line_and_nothing_is_written(
     few = [10] * 20
     (tmp_path / "file").touch()
     (tmp_path / "empty").mkdir()
-    live_run(tmp_path / "other" / "a", few, trials=430, pretrain=400)
+    live_run(tmp_path / "other" / "a", few, trials=700, pretrain=400)
     for copy in ("twice/a", "twice/b", "half/a"):
-        live_run(tmp_path / copy, few, trials=430)
+        live_run(tmp_path / copy, few, trials=700)
     (tmp_path / "half" / "a" / "config.yaml").write_text("prospect_mj_run: [1")
     assert command.main([*given, "--live", name]) == 2
     (line,) = capsys.readouterr().err.splitlines()

@@ -2,10 +2,10 @@ import numpy as np
 import pytest
 from synthetic import of_strategies, pair, sampled
 
-from prospect_mj.experiment.paper import stages
-from prospect_mj.experiment.paper.scenario import Scenario
-from prospect_mj.experiment.paper.strategies import Strategy
-from prospect_mj.recording.arrays import LEFT, RIGHT
+from prospect_mj.experiment.paper.measures import stages
+from prospect_mj.experiment.paper.populations.scenario import Scenario
+from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.recording.hands import LEFT, RIGHT
 
 
 def test_stages_are_the_beginning_the_height_of_corrections_and_the_end():
@@ -31,7 +31,7 @@ def test_stages_are_the_beginning_the_height_of_corrections_and_the_end():
     assert last.measured("easy_nonradial") == (0, 0, 0, 0)
 
 
-def test_a_short_study_has_short_stages():
-    sample = sampled(*pair(runs=5, trials=430))
+def test_the_shortest_study_has_nothing_but_its_stages():
+    sample = sampled(*pair(runs=5, trials=700))
     spans = [(stage.first, stage.last) for stage in stages.stages(sample)]
-    assert spans == [(400, 409), (410, 419), (420, 429)]
+    assert spans == [(400, 499), (500, 599), (600, 699)]

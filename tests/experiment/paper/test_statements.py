@@ -1,20 +1,28 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from synthetic import pair, sampled
 
-from prospect_mj.experiment.paper import (
-    measures,
+from prospect_mj.experiment.paper.measures import (
+    easy_trials,
+    learning,
     quantity,
-    report_statements,
     statements,
 )
-from prospect_mj.experiment.paper.bootstrap import Interval
-from prospect_mj.experiment.paper.quantity import Kind
-from prospect_mj.experiment.paper.sample import title
-from prospect_mj.experiment.paper.statements import Judgement
-from prospect_mj.experiment.paper.target import Target, Verdict, about, agreed
+from prospect_mj.experiment.paper.measures.bootstrap import Interval
+from prospect_mj.experiment.paper.measures.quantity import Kind
+from prospect_mj.experiment.paper.measures.sample import Sample
+from prospect_mj.experiment.paper.measures.statements import (
+    EARLY_FIRST,
+    STATEMENTS,
+    Judgement,
+)
+from prospect_mj.experiment.paper.measures.target import Target, Verdict, about, agreed
+from prospect_mj.experiment.paper.report import report_statements
 
 INF, NAN = np.inf, np.nan
+FALL = next(m for s in STATEMENTS for m in s.measures if "5_to_3" in m.name)
 
 
 @pytest.mark.parametrize(
@@ -33,6 +41,20 @@ INF, NAN = np.inf, np.nan
 )
 def test_about_a_number_is_a_tenth_to_either_side(low, high, verdict):
     assert about(650, "").verdict(Interval(low, low, high)) == verdict
+
+
+@pytest.mark.parametrize(
+    ("low", "end", "verdict"),
+    [
+        (INF, 1000, Verdict.FAILS),
+        (INF, 716, Verdict.FAILS),
+        (INF, 715, Verdict.OPEN),
+        (INF, 560, Verdict.OPEN),
+        (500, 560, Verdict.OPEN),
+    ],
+)
+def test_what_a_short_study_did_not_reach_is_undecided(low, end, verdict):
+    assert about(650, "").verdict(Interval(low, low, INF), end) == verdict
 
 
 @pytest.mark.parametrize(
@@ -72,6 +94,9 @@ def test_what_is_not_there_is_undecided():
         (170.0, Kind.LAG, "170"),
         (INF, Kind.LAG, "late corrections never gone"),
         (-INF, Kind.LAG, "early corrections never gone"),
+        (INF, Kind.REVERSED_LAG, "early corrections never gone"),
+        (-INF, Kind.REVERSED_LAG, "late corrections never gone"),
+        (-0.0063, Kind.POINTS, "-0.6 points"),
     ],
 )
 def test_numbers_are_written_as_what_they_are(value, kind, words):
@@ -86,6 +111,7 @@ def test_numbers_are_written_as_what_they_are(value, kind, words):
         ((650.0, 640.0, INF), Kind.TRIAL, "650 (640 to never)"),
         ((-INF, -INF, -INF), Kind.LAG, "early corrections never gone"),
         ((NAN, NAN, NAN, 1.0), Kind.LAG, "none"),
+        ((NAN, INF, INF, 0.9), Kind.LAG, "none"),
         ((0.5, 0.4, 0.6, 0.04), Kind.RATIO, "0.50 (0.40 to 0.60)"),
         (
             (0.5, 0.4, 0.6, 0.21),
@@ -99,76 +125,99 @@ def test_intervals_are_written_as_far_as_they_are_there(measured, kind, words):
 
 
 @pytest.mark.parametrize(
-    ("verdicts", "words"),
+    ("verdicts", "together"),
     [
-        (
-            (Verdict.HOLDS, Verdict.HOLDS),
-            "By both measures early corrections disappear",
-        ),
-        ((Verdict.FAILS, Verdict.FAILS), "By neither measure"),
-        ((Verdict.HOLDS, Verdict.FAILS), "can't be told"),
-        ((Verdict.HOLDS, Verdict.OPEN), "can't be told"),
-        ((Verdict.OPEN, Verdict.OPEN), "can't be told"),
+        ((Verdict.HOLDS, Verdict.HOLDS), "holds"),
+        ((Verdict.FAILS, Verdict.FAILS), "does not hold"),
+        ((Verdict.HOLDS, Verdict.FAILS), "depends on the measure"),
+        ((Verdict.HOLDS, Verdict.OPEN), "undecided"),
     ],
 )
-def test_the_report_says_whether_the_order_of_corrections_can_be_told(verdicts, words):
+def test_a_statement_with_several_measures_tells_of_each_and_of_all(verdicts, together):
+    said = replace(EARLY_FIRST, measures=EARLY_FIRST.measures[:2])
     judged = [
-        Judgement(said, Interval(1.0, 1.0, 1.0), verdict)
-        for said, verdict in zip(statements.EARLY_FIRST, verdicts, strict=True)
+        Judgement(said, measure, Interval(1.0, 1.0, 1.0), verdict)
+        for measure, verdict in zip(said.measures, verdicts, strict=True)
     ]
-    assert words in list(report_statements.published(judged))[-1]
+    line = list(report_statements.published(judged))[1].splitlines()[-1]
+    assert line.endswith(f"| **{together}** |")
+    one, other = (f"{j.measure.title}: 1 (1 to 1), {j.verdict}" for j in judged)
+    assert f"| {one}<br>{other} |" in line
 
 
 def test_what_was_planted_is_judged():
     sample = sampled(*pair(runs=100))
-    judged = {j.statement.measure: j for j in statements.judge(sample)}
+    judged = {j.measure: j for j in statements.judge(sample)}
     # Planted: a chance of 0.97 after 485 trials, 0.93 of which is near-optimal enough.
-    near = judged[measures.near_optimal]
+    near = judged[learning.near_optimal]
     assert 440 <= near.measured.estimate <= 490
     assert near.verdict == Verdict.FAILS
-    assert judged[measures.pretraining_near_optimal].measured.estimate < 230
+    assert judged[learning.pretraining_near_optimal].measured.estimate < 230
     # Planted: from 0.97 to 0.3, then as fast as without pretraining.
-    assert judged[measures.easy_drop].measured.estimate == pytest.approx(0.67, abs=0.1)
-    assert judged[measures.easy_drop].verdict == Verdict.HOLDS
-    low, high = judged[measures.fall_ratio].measured[1:3]
+    assert judged[easy_trials.easy_drop].measured.estimate == pytest.approx(
+        0.67, abs=0.1
+    )
+    assert judged[easy_trials.easy_drop].verdict == Verdict.HOLDS
+    low, high = judged[FALL].measured[1:3]
     assert low <= 1 <= high
 
 
 def test_fitted_statements_are_those_that_the_defaults_were_chosen_by():
-    numbers = {said.measure: said.target.number for said in statements.FITTED}
+    numbers = {said.measures[0]: said.target.number for said in statements.FITTED}
     assert numbers == {
-        measures.first_unsolved: 0.5,
-        measures.near_optimal: 650,
-        measures.pretraining_near_optimal: 250,
-        measures.actions_after_switch: 6.0,
+        learning.first_unsolved: 0.5,
+        learning.near_optimal: 650,
+        learning.pretraining_near_optimal: 250,
+        learning.actions_after_switch: 6.0,
     }
 
 
 def test_the_report_marks_fitted_statements_and_no_others():
     sample = sampled(*pair())
     text = "\n".join(report_statements.published(statements.judge(sample)))
-    for judged in statements.judge(sample):
-        (line,) = (line for line in text.splitlines() if _tells(line, judged))
-        assert line.endswith("**, fitted |") == judged.statement.fitted
+    for said in STATEMENTS:
+        (line,) = (line for line in text.splitlines() if _tells(line, said))
+        assert line.endswith("**, fitted |") == said.fitted
     assert "*Fitted*" in text
 
 
-def _tells(line, judged):
-    return line.startswith("|") and f"| {title(judged.statement.measure)}: " in line
+def _tells(line, said):
+    return line.startswith("|") and f"| {said.measures[0].title}: " in line
 
 
-def test_what_differs_is_undecided():
+def test_what_differs_is_undecided_or_depends_on_the_measure():
     assert agreed([Verdict.HOLDS, Verdict.HOLDS]) == Verdict.HOLDS
     assert agreed([Verdict.FAILS]) == Verdict.FAILS
-    assert agreed([Verdict.HOLDS, Verdict.FAILS]) == Verdict.OPEN
+    assert agreed([Verdict.HOLDS, Verdict.FAILS]) == Verdict.DEPENDS
+    assert agreed([Verdict.HOLDS, Verdict.OPEN, Verdict.FAILS]) == Verdict.DEPENDS
     assert agreed([Verdict.HOLDS, Verdict.OPEN]) == Verdict.OPEN
+    assert agreed([Verdict.FAILS, Verdict.OPEN]) == Verdict.OPEN
 
 
-def test_the_table_has_a_row_for_each_statement():
+def test_a_study_too_short_to_tell_denies_nothing():
+    sample = sampled(*pair(runs=30, trials=700))
+    never = np.full_like(sample.mean.baseline.actions[:, :56], 5.0)
+    short = Sample(*(cut(one, never) for one in sample))
+    verdicts = {j.measure: j.verdict for j in statements.judge(short)}
+    assert verdicts[learning.near_optimal] == Verdict.OPEN
+    assert verdicts[learning.pretraining_ratio] == Verdict.OPEN
+    assert verdicts[FALL] == Verdict.OPEN
+
+
+def cut(curves, actions):
+    """The first scenario ends before anything was learned."""
+    n = len(curves.baseline.actions)
+    baseline = replace(curves.baseline, actions=np.repeat(actions, n, axis=0))
+    return curves._replace(baseline=baseline)
+
+
+def test_the_table_has_a_row_for_each_measure_of_a_statement():
     sample = sampled(*pair())
     judged = statements.judge(sample)
     rows = statements.table(judged).to_pylist()
-    assert [row["statement"] for row in rows] == [s.text for s in statements.STATEMENTS]
+    measured = [(s.text, m.name) for s in STATEMENTS for m in s.measures]
+    assert [(row["statement"], row["measure"]) for row in rows] == measured
     assert rows[1]["measured"] == judged[1].measured.estimate
     assert (rows[1]["low_target"], rows[1]["high_target"]) == (585, 715)
-    assert [row["fitted"] for row in rows[:5]] == [True] * 4 + [False]
+    assert [row["fitted"] for row in rows[:6]] == [True] * 3 + [False, True, False]
+    assert rows[0]["verdict"] == rows[0]["statement_verdict"]

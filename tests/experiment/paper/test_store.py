@@ -10,10 +10,13 @@ from ideal_recording import ideal, recording
 
 from prospect_mj import paths
 from prospect_mj.errors import RunFolderError
-from prospect_mj.experiment.paper import store
-from prospect_mj.experiment.paper.population import run_population
-from prospect_mj.experiment.paper.scenario import PopulationSettings, Scenario
-from prospect_mj.experiment.paper.store import Store, recording_digest
+from prospect_mj.experiment.paper.populations import store
+from prospect_mj.experiment.paper.populations.population import run_population
+from prospect_mj.experiment.paper.populations.scenario import (
+    PopulationSettings,
+    Scenario,
+)
+from prospect_mj.experiment.paper.populations.store import Store, recording_digest
 
 SCENARIO, SETTINGS = Scenario(30, 10), PopulationSettings(runs=3)
 PACKAGE = Path(paths.__file__).parent

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from prospect_mj.experiment.paper.strategies import (
+from prospect_mj.experiment.paper.populations.strategies import (
     Grip,
     Strategy,
     classify,
@@ -11,7 +11,7 @@ from prospect_mj.experiment.paper.strategies import (
     first_grip,
     first_hand,
 )
-from prospect_mj.recording.arrays import LEFT, NONE, RIGHT
+from prospect_mj.recording.hands import LEFT, NONE, RIGHT
 
 # As if the lid lay to the left: "good" is the left hand. A swap is named for its giver.
 ACTIONS = {

@@ -1,0 +1,1 @@
+"""What the published text leaves open, one choice at a time."""

@@ -1,0 +1,1 @@
+"""The paper's figures 5 and 6, and that of live runs."""

@@ -1,0 +1,1 @@
+"""Runs on live physics, to be compared with recorded ones."""

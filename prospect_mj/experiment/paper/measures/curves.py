@@ -1,0 +1,166 @@
+"""Means over runs in sets of ten trials.
+
+Runs are counted and resampled in whole numbers, which float64 holds exactly, and
+divided once at the end: a mean of just 2.4 actions is 2.4 on every machine, whatever
+order its matrix product adds up in.
+"""
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from prospect_mj.experiment.learning_curve import BLOCK
+from prospect_mj.experiment.paper.measures.bootstrap import Floats
+from prospect_mj.experiment.paper.populations.population import Population
+from prospect_mj.experiment.paper.populations.strategies import (
+    Grip,
+    Strategy,
+    easy,
+    first_grip,
+)
+
+SMOOTHED = 5
+"""Sets per moving mean where an extreme is sought: the largest or smallest of so many
+single sets is the one with most noise."""
+LONG = 10
+"""Sets of the hundred trials before a change, or at the end."""
+
+
+@dataclass(frozen=True)
+class Curves:
+    """Means over runs, b times resampled, of s sets of ten trials."""
+
+    actions: Floats
+    """(b, s) [actions] per trial."""
+    easy_actions: Floats
+    """(b, s) [actions] per easy trial; NaN without such trials."""
+    difficult_actions: Floats
+    """(b, s) [actions] per difficult trial; NaN without such trials."""
+    unsolved: Floats
+    """(b, s), share of trials cut off."""
+    easy: Floats
+    """(b, 4, s), share of each `Strategy` in easy trials; NaN without such trials."""
+    difficult: Floats
+    """(b, 4, s), the same in the difficult trials."""
+    easy_grips: Floats
+    """(b, 2, s), share of each `Grip` in the first grasps of easy trials; NaN without
+    any."""
+    difficult_grips: Floats
+    """(b, 2, s), the same in the difficult trials."""
+    switch: int
+    """Sets of pretraining."""
+
+    def middle(self, numbers: NDArray[np.intp]) -> Floats:
+        """Trials in the middle of moving means after the pretraining, by number."""
+        length = min(SMOOTHED, self.actions.shape[1] - self.switch)
+        return BLOCK * (self.switch + numbers + length / 2)
+
+
+@dataclass(frozen=True)
+class RunCounts:
+    """What is counted in each of r runs and s sets of ten trials; whole numbers."""
+
+    actions: Floats
+    """(r, s) [actions]."""
+    easy_actions: Floats
+    """(r, s) [actions] in easy trials."""
+    difficult_actions: Floats
+    """(r, s) [actions] in the others."""
+    unsolved: Floats
+    """(r, s), trials cut off."""
+    easy: Floats
+    """(r, 4, s), easy trials with each `Strategy`."""
+    difficult: Floats
+    """(r, 4, s), difficult trials with each."""
+    easy_grips: Floats
+    """(r, 2, s), easy trials that begin with each `Grip`."""
+    difficult_grips: Floats
+    """(r, 2, s), difficult trials that do."""
+    switch: int
+    """Sets of pretraining."""
+
+    @classmethod
+    def of(cls, population: Population) -> Self:
+        """Count; trials that don't fill a last set are left out."""
+        is_easy = easy(population.lid, population.scenario.dominant)
+        used = [population.strategy == strategy for strategy in Strategy]
+        grip = first_grip(population.lid, population.first_hand)
+        began = [grip == kind for kind in Grip]
+        return cls(
+            actions=_sums(population.n_actions),
+            easy_actions=_sums(population.n_actions * is_easy),
+            difficult_actions=_sums(population.n_actions * ~is_easy),
+            unsolved=_sums(~population.solved),
+            easy=_counts([was & is_easy for was in used]),
+            difficult=_counts([was & ~is_easy for was in used]),
+            easy_grips=_counts([was & is_easy for was in began]),
+            difficult_grips=_counts([was & ~is_easy for was in began]),
+            switch=population.scenario.pretrain // BLOCK,
+        )
+
+    def mean(self) -> Curves:
+        """The curves of all runs, b = 1."""
+        return self.drawn(np.ones((1, len(self.actions))))
+
+    def drawn(self, times: Floats) -> Curves:
+        """Means where each run is there so many times (b, r)."""
+        trials = BLOCK * times.sum(axis=1, keepdims=True)
+        return Curves(
+            times @ self.actions / trials,
+            ratio(times @ self.easy_actions, times @ self.easy.sum(axis=1)),
+            ratio(times @ self.difficult_actions, times @ self.difficult.sum(axis=1)),
+            times @ self.unsolved / trials,
+            _shares(times, self.easy),
+            _shares(times, self.difficult),
+            _shares(times, self.easy_grips),
+            _shares(times, self.difficult_grips),
+            self.switch,
+        )
+
+
+def in_sets(values: NDArray[np.generic]) -> NDArray[np.generic]:
+    """Trials (runs, trials) in sets of ten, (runs, sets, 10)."""
+    n_runs, n_trials = values.shape
+    n_sets = n_trials // BLOCK
+    return values[:, : n_sets * BLOCK].reshape(n_runs, n_sets, BLOCK)
+
+
+def mean_of_sets(shares: Floats) -> Floats:
+    """Mean over sets, the last axis, that have what a share is of; NaN if none has."""
+    there = ~np.isnan(shares)
+    n_there = there.sum(axis=-1)
+    total = np.where(there, shares, 0.0).sum(axis=-1)
+    return np.divide(total, n_there, out=np.full_like(total, np.nan), where=n_there > 0)
+
+
+def ratio(values: Floats, references: Floats) -> Floats:
+    """NaN unless the reference is above zero and finite."""
+    usable = np.isfinite(references) & (references > 0)
+    return np.divide(values, references, out=np.full_like(values, np.nan), where=usable)
+
+
+def moving_means(shares: Floats) -> Floats:
+    """Means (b, s - 4) over five successive sets of shares (b, s), or over all."""
+    length = min(SMOOTHED, shares.shape[1])
+    windows = np.lib.stride_tricks.sliding_window_view(shares, length, axis=1)
+    return mean_of_sets(windows)
+
+
+def _sums(values: NDArray[np.generic]) -> Floats:
+    """Sums (runs, sets) over the trials of each set."""
+    return in_sets(values).sum(axis=2).astype(np.float64)
+
+
+def _counts(masks: list[NDArray[np.bool_]]) -> Floats:
+    """Trials per run, mask and set."""
+    return np.stack([_sums(mask) for mask in masks], axis=1)
+
+
+def _shares(times: Floats, counts: Floats) -> Floats:
+    """Shares (b, k, s) of counts (r, k, s), each run there so many times (b, r)."""
+    totals = np.tensordot(times, counts, axes=1)
+    trials = totals.sum(axis=1, keepdims=True)
+    shares = np.full_like(totals, np.nan)
+    return np.divide(totals, trials, out=shares, where=trials > 0)

@@ -1,0 +1,1 @@
+"""Learners by the thousand: compiled, on recorded physics, and kept."""

@@ -1,0 +1,89 @@
+"""Graphs of outcomes that the compiled learner walks on: recorded ones, ideal ones."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from prospect_mj.actions.action import Action
+from prospect_mj.experiment.paper.populations.kernel import Graph
+from prospect_mj.experiment.paper.populations.strategies import (
+    GRASPS,
+    INSERTIONS,
+    SWAPS,
+)
+from prospect_mj.recording.hands import LEFT, NONE, RIGHT
+from prospect_mj.recording.recording import Recording
+from prospect_mj.supervisor.predicates import PredicateState
+from prospect_mj.supervisor.supervisor import Supervisor
+
+HANDS = (LEFT, RIGHT)
+
+_NODES_PER_LID = 4
+_INSERTED = 3
+
+
+def recorded_graph(recording: Recording, supervisor: Supervisor) -> Graph:
+    """What really happened, with the choices that a supervisor offers.
+
+    Args:
+        recording: the outcomes of physics.
+        supervisor: its mode and its shaping schedule decide on the choices.
+    """
+    nodes = recording.nodes
+    # Copies: numba compiles anew for arrays that are read-only or not contiguous.
+    return Graph(
+        child=np.array(nodes.child, np.int32),
+        situation=np.array(nodes.situation, np.int32),
+        inserted=np.array(nodes.inserted, np.bool_),
+        holding=np.array(nodes.holding, np.int64),
+        state=np.array(nodes.predicates, np.int32),
+        choices=_choices(supervisor, recording.predicates.states),
+    )
+
+
+def phases(supervisor: Supervisor, n_trials: int) -> NDArray[np.int32]:
+    """The phase of the shaping schedule (n_trials,) in which each trial is."""
+    begins = np.array(supervisor.schedule.phases)
+    numbers = np.searchsorted(begins, np.arange(n_trials), side="right") - 1
+    return numbers.astype(np.int32)
+
+
+def _choices(
+    supervisor: Supervisor, states: Sequence[PredicateState]
+) -> NDArray[np.bool_]:
+    """(phases, s, 6): what may be chosen."""
+    masks = [
+        [supervisor.choice_set(state, trial) for state in states]
+        for trial in supervisor.schedule.phases
+    ]
+    return np.array(masks, np.bool_)
+
+
+def ideal_graph() -> Graph:
+    """Every action that can succeed does, and the learner may choose all.
+
+    The jar is taken by either hand when none holds it, passed on by the hand that holds
+    it, and inserted by the hand on the lid's side; all else changes nothing.
+    """
+    n = _NODES_PER_LID * len(HANDS)
+    child = np.repeat(np.arange(n, dtype=np.int32)[:, None], len(Action), axis=1)
+    for lid in HANDS:
+        root = ideal_root(lid)
+        for hand, other in zip(HANDS, reversed(HANDS), strict=True):
+            child[root, GRASPS[hand]] = root + hand
+            child[root + hand, SWAPS[hand]] = root + other
+        child[root + lid, INSERTIONS[lid]] = root + _INSERTED
+    return Graph(
+        child=child,
+        situation=np.arange(n, dtype=np.int32),
+        inserted=np.arange(n) % _NODES_PER_LID == _INSERTED,
+        holding=np.array([NONE, LEFT, RIGHT, NONE] * len(HANDS), np.int64),
+        state=np.zeros(n, np.int32),
+        choices=np.ones((1, 1, len(Action)), np.bool_),
+    )
+
+
+def ideal_root(lid: int) -> int:
+    """The node of the ideal graph where a trial begins; `lid` is LEFT or RIGHT."""
+    return _NODES_PER_LID * (lid - LEFT)
