@@ -52,6 +52,10 @@ class RecordingError(ProspectError):
     """A recording that cannot be used: damaged, of other physics, or incomplete."""
 
 
+class EpisodeError(ProspectError):
+    """An episode that can't be read: missing, damaged or of another run."""
+
+
 class ForeignTable(ProspectError):
     """A table file that holds something else than what it was read for."""
 

@@ -1,0 +1,102 @@
+"""Episodes as files: the states in full, all that follows from them left out.
+
+    <name>.npz   states, signals and planned paths as arrays, both images as PNG, and a
+                 description in JSON: scene, presentation, look, actions, origin
+
+A file is written as a whole, and carries the digest of the run that it belongs to. What
+can be computed from the states (poses, contacts, sensor readings) is not in it.
+"""
+
+import io
+import json
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from prospect_mj.episodes import description
+from prospect_mj.episodes.episode import Episode, Signals, States
+from prospect_mj.episodes.images import as_png, from_png
+from prospect_mj.errors import EpisodeError, ProspectError
+from prospect_mj.sim.camera import StereoPair
+from prospect_mj.storage import replace_file
+
+SUFFIX = ".npz"
+_FORMAT = 1
+_DAMAGED = (ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile)
+
+
+def write(path: Path, episode: Episode, origin: str) -> None:
+    """Write an episode.
+
+    Args:
+        path: the file; its folder must exist.
+        episode: what happened.
+        origin: digest of the run that it belongs to.
+    """
+    stream = io.BytesIO()
+    np.savez_compressed(stream, **_arrays(episode, origin))
+    replace_file(path, stream.getvalue())
+
+
+def read(path: Path, origin: str | None = None) -> Episode:
+    """Read an episode.
+
+    Args:
+        path: the file.
+        origin: digest of the run that it must belong to; None: of any.
+
+    Raises:
+        EpisodeError: if there is none, it is damaged, or belongs to another run.
+    """
+    try:
+        with np.load(path, allow_pickle=False) as stored:
+            told = json.loads(bytes(stored["description"]))
+            _check(path, told, origin)
+            return _episode(told, stored)
+    except FileNotFoundError as error:
+        raise EpisodeError(f"there is no episode {path}") from error
+    except EpisodeError:
+        raise
+    except (OSError, ProspectError, *_DAMAGED) as error:
+        raise EpisodeError(f"{path} can't be read as an episode: {error}") from error
+
+
+def _arrays(episode: Episode, origin: str) -> dict[str, Any]:
+    told = {"format": _FORMAT, "origin": origin, **description.of(episode)}
+    images = episode.look.images
+    return {
+        "description": np.frombuffer(json.dumps(told).encode(), np.uint8),
+        "histogram": episode.look.histogram,
+        "left_image": as_png(images.left),
+        "right_image": as_png(images.right),
+        "state_times": episode.states.times,
+        "states": episode.states.rows,
+        "signal_times": episode.signals.times,
+        "measured": episode.signals.measured,
+        "path_points": description.path_points(episode),
+    }
+
+
+def _episode(told: dict[str, Any], stored: Any) -> Episode:  # noqa: ANN401
+    images = StereoPair(*(from_png(stored[f"{s}_image"]) for s in ("left", "right")))
+    return description.episode(
+        told,
+        images,
+        stored["histogram"],
+        States(stored["state_times"], stored["states"]),
+        Signals(stored["signal_times"], stored["measured"]),
+        stored["path_points"],
+    )
+
+
+def _check(path: Path, told: object, origin: str | None) -> None:
+    if not isinstance(told, dict) or "format" not in told:
+        raise EpisodeError(f"{path} is not an episode")
+    if told["format"] != _FORMAT:
+        raise EpisodeError(
+            f"{path} has format {told['format']}; this version reads format {_FORMAT}"
+        )
+    if origin is not None and told["origin"] != origin:
+        raise EpisodeError(f"{path} is from another run")

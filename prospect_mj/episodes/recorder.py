@@ -1,0 +1,140 @@
+"""Watching a trial without changing it: a task that remembers what it went through."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from prospect_mj.actions.action import Action, ActionOutcome
+from prospect_mj.checks import check_integer
+from prospect_mj.closing import Closing
+from prospect_mj.control.controller import Controller
+from prospect_mj.episodes.action_trace import ActionTrace, SignalTrace
+from prospect_mj.episodes.episode import ActionSpan, Episode, LookTaken, States
+from prospect_mj.errors import InvalidValue
+from prospect_mj.robot.names import Side
+from prospect_mj.robot.torso import Reading
+from prospect_mj.supervisor.predicates import PredicateState
+from prospect_mj.supervisor.supervisor import Supervisor
+from prospect_mj.task.pick_place import PickPlaceTask
+from prospect_mj.task.presentation import Orientation
+from prospect_mj.vision.look import Look
+
+
+@dataclass(frozen=True)
+class RecorderSettings:
+    """How much is remembered."""
+
+    stride: int = 2
+    """Control periods from state to state; signals are kept in every one."""
+
+    def __post_init__(self) -> None:
+        """Refuse what makes no film."""
+        check_integer("stride", self.stride, 1, 50)
+
+
+class WatchedTask(Closing):
+    """A live task that remembers the trial under way.
+
+    It does just what the task does: who watches only reads.
+
+    Args:
+        task: where everything happens; closed with this one.
+        settings: how much is remembered.
+
+    Attributes:
+        task: as given.
+        supervisor: the task's.
+    """
+
+    def __init__(
+        self, task: PickPlaceTask, settings: RecorderSettings | None = None
+    ) -> None:
+        """Begin to watch."""
+        self.task = task
+        self.supervisor: Supervisor = task.supervisor
+        self._stride = (RecorderSettings() if settings is None else settings).stride
+        self._look: LookTaken | None = None
+        self._forget()
+        task.runner.observer = self._watch
+
+    @property
+    def predicates(self) -> PredicateState:
+        """The task's."""
+        return self.task.predicates
+
+    @property
+    def holder(self) -> Side | None:
+        """The task's."""
+        return self.task.holder
+
+    @property
+    def inserted(self) -> bool:
+        """The task's."""
+        return self.task.inserted
+
+    def reset(self, orientation: Orientation, rng: np.random.Generator) -> Look:
+        """Present the jar, and forget the trial before."""
+        look = self.task.reset(orientation, rng)
+        self._forget()
+        self._look = LookTaken(
+            self.task.images, look.histogram, look.status, look.position, look.axis
+        )
+        self._keep_state()
+        return look
+
+    def execute(self, action: Action) -> ActionOutcome:
+        """Run an action, and remember what came of it."""
+        start, self._trace = self._now, ActionTrace()
+        outcome = self.task.execute(action)
+        self._keep_state()
+        self._actions.append(self._trace.ended(outcome, start, self._now))
+        return outcome
+
+    def episode(self) -> Episode:
+        """What happened since the last reset.
+
+        Raises:
+            InvalidValue: if there was none.
+        """
+        if self._look is None or self.task.presentation is None:
+            raise InvalidValue("episode", None, "a trial that began with a reset")
+        return Episode(
+            scene=self.task.simulation.settings,
+            presentation=self.task.presentation,
+            look=self._look,
+            states=States(np.array(self._times), np.array(self._rows)),
+            signals=self._signals.as_arrays(),
+            actions=tuple(self._actions),
+            inserted=self.inserted,
+        )
+
+    def close(self) -> None:
+        """Watch no more, and close the task."""
+        self.task.runner.observer = None
+        self.task.close()
+
+    @property
+    def _now(self) -> float:
+        """Simulated time [s]."""
+        return float(self.task.simulation.data.time)
+
+    def _forget(self) -> None:
+        self._times: list[float] = []
+        self._rows: list[np.ndarray] = []
+        self._actions: list[ActionSpan] = []
+        self._signals, self._trace = SignalTrace(), ActionTrace()
+        self._periods = 0
+
+    def _watch(self, controllers: Sequence[Controller], reading: Reading) -> None:
+        """One control period, before the physics goes on."""
+        if self._periods % self._stride == 0:
+            self._keep_state()
+        self._periods += 1
+        self._signals.add(self._now, controllers)
+        self._trace.add(self._now, controllers)
+
+    def _keep_state(self) -> None:
+        if not self._times or self._now > self._times[-1]:
+            self._times.append(self._now)
+            self._rows.append(self.task.simulation.save())
