@@ -37,7 +37,7 @@ CONFINED = {
         "prospect_mj/planning/",
     ),
     "ray": ("prospect_mj/recording/ray_cluster.py",),
-    "rerun": (),
+    "rerun": ("prospect_mj/replay/",),
 }
 """Library: the only places that may import it (those of a later issue: nowhere)."""
 

@@ -1,6 +1,7 @@
 """The scene as people like to see it: by daylight, from in front of the torso."""
 
 import mujoco
+import numpy as np
 
 LOOK_AT, DISTANCE, AZIMUTH, ELEVATION = (0.38, -0.02, 0.40), 1.55, 203.0, -26.0
 
@@ -29,3 +30,11 @@ def light_for_people(model: mujoco.MjModel, size: tuple[int, int]) -> None:
     model.light_diffuse[:] *= 0.4
     model.geom("table/top").rgba[:3] = 0.52, 0.40, 0.28
     model.geom("table/floor").rgba[:3] = 0.62, 0.64, 0.66
+
+
+def place() -> tuple[float, float, float]:
+    """Where that camera stands [m]."""
+    turn, rise = np.deg2rad((AZIMUTH, ELEVATION))
+    ahead = np.array([np.cos(rise) * np.cos(turn), np.cos(rise) * np.sin(turn)])
+    x, y = LOOK_AT[:2] - DISTANCE * ahead
+    return float(x), float(y), float(LOOK_AT[2] - DISTANCE * np.sin(rise))

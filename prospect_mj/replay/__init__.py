@@ -1,0 +1,1 @@
+"""Episodes brought to the eye: played back from their states, in Rerun, as a video."""

@@ -1,0 +1,82 @@
+"""The scene in Rerun: its shapes once, and how its bodies move."""
+
+import mujoco
+import numpy as np
+import rerun as rr
+
+from prospect_mj.episodes.episode import Episode
+from prospect_mj.replay import geometry
+from prospect_mj.replay.playback import Frames, hand_path
+from prospect_mj.replay.timeline import column
+from prospect_mj.robot.names import SIDES
+
+CONTACTS, FORCES, PLAN = "scene/contacts", "scene/contact_forces", "scene/plan"
+COLOURS = {"left": (0, 114, 178), "right": (213, 94, 0)}
+"""Of the arms, in all views."""
+
+_METRES_PER_NEWTON = 0.004
+
+
+def log_scene(stream: rr.RecordingStream, model: mujoco.MjModel) -> None:
+    """Log all shapes, which never change."""
+    stream.log("scene", rr.ViewCoordinates.RIGHT_HAND_Z_UP, static=True)
+    for path, shape in geometry.shapes(model):
+        stream.log(path, shape, static=True)
+
+
+def log_motion(
+    stream: rr.RecordingStream, model: mujoco.MjModel, frames: Frames
+) -> None:
+    """Log the poses of all bodies; those that stay where they are once."""
+    times = column(frames.times)
+    for body in range(1, model.nbody):
+        path = geometry.entity(model, body)
+        places = frames.positions[:, body]
+        turns = np.roll(frames.quaternions[:, body], -1, axis=1)
+        if np.ptp(places, axis=0).max() == np.ptp(turns, axis=0).max() == 0:
+            pose = rr.Transform3D(translation=places[0], quaternion=turns[0])
+            stream.log(path, pose, static=True)
+            continue
+        poses = rr.Transform3D.columns(translation=places, quaternion=turns)
+        stream.send_columns(path, [times], poses)
+
+
+def log_contacts(stream: rr.RecordingStream, frames: Frames) -> None:
+    """Log where the jar is touched, and with which force."""
+    times = column(frames.times)
+    counts = [len(contact.positions) for contact in frames.contacts]
+    places = np.concatenate([contact.positions for contact in frames.contacts])
+    forces = np.concatenate([contact.forces for contact in frames.contacts])
+    points = rr.Points3D.columns(positions=places, radii=np.full(len(places), 0.004))
+    stream.send_columns(CONTACTS, [times], points.partition(counts))
+    vectors = _METRES_PER_NEWTON * forces
+    # An arrow is drawn from outside onto the contact.
+    arrows = rr.Arrows3D.columns(vectors=vectors, origins=places - vectors)
+    stream.send_columns(FORCES, [times], arrows.partition(counts))
+    stream.log(CONTACTS, rr.Points3D.from_fields(colors=[(200, 30, 30)]), static=True)
+    red = rr.Arrows3D.from_fields(colors=[(200, 30, 30)], radii=[0.002])
+    stream.log(FORCES, red, static=True)
+
+
+def log_paths(
+    stream: rr.RecordingStream, model: mujoco.MjModel, episode: Episode
+) -> None:
+    """Log the ways that the hands are planned to go, as long as they are followed."""
+    start = episode.states.times[0]
+    for side in SIDES:
+        paths = [p for span in episode.actions for p in span.paths if p.side == side]
+        if not paths:
+            continue
+        times, strips = [], []
+        for number, path in enumerate(paths):
+            times.append(path.start - start)
+            strips.append([hand_path(model, path)])
+            last = number + 1 == len(paths)
+            if last or paths[number + 1].start > path.end + 1e-6:
+                times.append(path.end - start)
+                strips.append([])
+        lengths = [len(strip) for strip in strips]
+        lines = rr.LineStrips3D.columns(strips=[s for strip in strips for s in strip])
+        stream.send_columns(f"{PLAN}/{side}", [column(times)], lines.partition(lengths))
+        look = rr.LineStrips3D.from_fields(colors=[COLOURS[side]], radii=[0.004])
+        stream.log(f"{PLAN}/{side}", look, static=True)
