@@ -14,6 +14,7 @@ from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment import session
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.environment import MakeEnvironment, make_environment
+from prospect_mj.experiment.kept_episodes import Kept
 from prospect_mj.experiment.run_folder import read_config
 
 
@@ -30,7 +31,10 @@ class TrainOptions:
     runs/train-0001, runs/train-0002, ..."""
     resume: Path | None = None
     """Folder of a run to continue exactly where it stopped; of the other options only
-    a larger --trials may differ from that run's."""
+    a larger --trials may differ from that run's, and --record."""
+    record: str | None = None
+    """Which trials are kept for replay.py, in episodes/ of the run: all, failures, or
+    every=N. Results are the same with it and without."""
 
 
 def main(
@@ -54,15 +58,18 @@ def main(
 
 def _train(argv: Sequence[str], make_env: MakeEnvironment) -> None:
     options = _parse(argv, TrainOptions())
+    kept = None if options.record is None else Kept.parse(options.record)
+    if kept is not None and options.config.physics != "live":
+        raise InvalidValue("--record", options.record, "none on recorded physics")
     if options.resume is None:
-        summary = session.start(options.config, options.out, make_env)
+        summary = session.start(options.config, options.out, make_env, kept=kept)
     else:
         if options.out is not None:
             raise InvalidValue("--out", str(options.out), "none beside --resume")
         # Options that are not given keep the stored run's values.
         stored = replace(options, config=read_config(options.resume))
         config = _parse(argv, stored).config
-        summary = session.resume(options.resume, config, make_env)
+        summary = session.resume(options.resume, config, make_env, kept=kept)
     if summary is not None:
         print(summary)
 

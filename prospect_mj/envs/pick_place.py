@@ -18,6 +18,7 @@ from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 if TYPE_CHECKING:
     import mujoco
 
+    from prospect_mj.episodes.recorder import WatchedTask
     from prospect_mj.sim.simulation import Simulation
     from prospect_mj.task.pick_place import PickPlaceTask
 
@@ -144,6 +145,23 @@ status of the look: "found", "unsure" or "not_found" |
         if self.settings.physics != "live":
             raise RecordingError("recorded physics has no model and data")
         return cast("PickPlaceTask", self.task).simulation
+
+    def watch(self) -> "WatchedTask":
+        """Remember every trial from now on; what happens stays the same.
+
+        Returns:
+            What has the episode of the trial under way.
+
+        Raises:
+            RecordingError: on recorded physics, which has nothing to be seen.
+        """
+        _ = self._simulation
+        # Where nothing is simulated, nothing of MuJoCo is loaded.
+        from prospect_mj.episodes.recorder import WatchedTask
+
+        if not isinstance(self.task, WatchedTask):
+            self.task = WatchedTask(cast("PickPlaceTask", self.task))
+        return self.task
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None

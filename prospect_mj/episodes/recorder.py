@@ -14,6 +14,7 @@ from prospect_mj.episodes.episode import ActionSpan, Episode, LookTaken, States
 from prospect_mj.errors import InvalidValue
 from prospect_mj.robot.names import Side
 from prospect_mj.robot.torso import Reading
+from prospect_mj.sim.simulation import Simulation
 from prospect_mj.supervisor.predicates import PredicateState
 from prospect_mj.supervisor.supervisor import Supervisor
 from prospect_mj.task.pick_place import PickPlaceTask
@@ -57,6 +58,11 @@ class WatchedTask(Closing):
         self._look: LookTaken | None = None
         self._forget()
         task.runner.observer = self._watch
+
+    @property
+    def simulation(self) -> Simulation:
+        """The task's."""
+        return self.task.simulation
 
     @property
     def predicates(self) -> PredicateState:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,9 @@ from numpy.typing import NDArray
 from prospect_mj.envs.pick_place import PickPlaceEnv
 from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.experiment.config import TrainConfig
+
+if TYPE_CHECKING:
+    from prospect_mj.episodes.recorder import WatchedTask
 
 Info = Mapping[str, Any]
 
@@ -25,6 +28,10 @@ class Environment(Protocol):
 
     def step(self, action: int) -> tuple[NDArray[np.float64], float, bool, bool, Info]:
         """Try one action: features, reward, terminated, truncated, info."""
+        ...
+
+    def watch(self) -> "WatchedTask":
+        """Remember every trial from now on."""
         ...
 
     def close(self) -> None:

@@ -52,6 +52,7 @@ class RunFolder(LockedFolder):
     Attributes:
         path: the folder.
         config: what the run is.
+        origin: digest of what must not change while it lasts; it marks the files.
         learner: the state after the last finished trial.
         actions: table under `ACTION_SCHEMA` of the finished trials.
         trials: table under `TRIAL_SCHEMA` of the finished trials.
@@ -61,8 +62,8 @@ class RunFolder(LockedFolder):
         """Use `create` or `open` instead."""
         super().__init__(path)
         self.config = config
-        self._origin = fingerprint.origin(config)
-        self.learner = new_learner(config, self._origin)
+        self.origin = fingerprint.origin(config)
+        self.learner = new_learner(config, self.origin)
         self.actions = ACTION_SCHEMA.empty_table()
         self.trials = TRIAL_SCHEMA.empty_table()
 
@@ -135,14 +136,14 @@ class RunFolder(LockedFolder):
 
     def _write_state(self) -> None:
         for name, table in ((ACTIONS, self.actions), (TRIALS, self.trials)):
-            replace_file(self.path / name, tables.parquet(table, self._origin))
+            replace_file(self.path / name, tables.parquet(table, self.origin))
         self.learner.save(self.path / WEIGHTS)
 
     def _read_state(self) -> None:
         if self._was_killed_at_birth():
             return
         self.learner = _read(self.path / WEIGHTS, LinearQ.load)
-        if self.learner.origin != self._origin:
+        if self.learner.origin != self.origin:
             raise RunFolderError(f"{self.path / WEIGHTS} is from another run")
         actions = self._read_table(ACTIONS, ACTION_SCHEMA)
         trials = self._read_table(TRIALS, TRIAL_SCHEMA)
@@ -161,7 +162,7 @@ class RunFolder(LockedFolder):
         return not any(rows)
 
     def _read_table(self, name: str, schema: pa.Schema) -> pa.Table:
-        reader = partial(tables.read, schema=schema, origin=self._origin, of="run")
+        reader = partial(tables.read, schema=schema, origin=self.origin, of="run")
         return _read(self.path / name, reader)
 
     def _check_state(self) -> None:

@@ -10,7 +10,7 @@ from contextlib import closing
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment import folder_guard, plots
@@ -20,10 +20,14 @@ from prospect_mj.experiment.environment import (
     MakeEnvironment,
     make_environment,
 )
+from prospect_mj.experiment.kept_episodes import Kept
 from prospect_mj.experiment.progress import Progress
 from prospect_mj.experiment.run_folder import RunFolder
 from prospect_mj.experiment.summary import Summary
 from prospect_mj.experiment.training import train
+
+if TYPE_CHECKING:
+    from prospect_mj.experiment.episode_keeper import EpisodeKeeper
 
 Say = Callable[[str], None]
 
@@ -36,6 +40,7 @@ def start(
     out: Path | None = None,
     make_env: MakeEnvironment = make_environment,
     say: Say = _say_at_once,
+    kept: Kept | None = None,
 ) -> Summary:
     """Begin a run and bring it to its end.
 
@@ -44,6 +49,7 @@ def start(
         out: its folder, new or empty; None for the next free one under runs/.
         make_env: makes the environment.
         say: told where the run is as soon as there is something to find there.
+        kept: which trials are kept as episodes; None: none.
 
     Raises:
         RunFolderError: if `out` can't be had; nothing was written then.
@@ -55,7 +61,7 @@ def start(
         RunFolder.create(out, config) as folder,
     ):
         say(f"training in {folder.path}; --resume {folder.path} goes on after a stop")
-        return _finish(folder, env)
+        return _finish(folder, env, kept)
 
 
 def resume(
@@ -63,6 +69,7 @@ def resume(
     config: TrainConfig,
     make_env: MakeEnvironment = make_environment,
     say: Say = _say_at_once,
+    kept: Kept | None = None,
 ) -> Summary | None:
     """Continue a run exactly where its last finished trial left it.
 
@@ -71,6 +78,7 @@ def resume(
         config: the run's own configuration, or the same with more trials.
         make_env: makes the environment.
         say: told what is left to do.
+        kept: which of the trials that are left are kept as episodes; None: none.
 
     Returns:
         None if the run was finished already; nothing was written then.
@@ -86,7 +94,7 @@ def resume(
         with closing(make_env(config)) as env:
             folder.extend(config)
             say(f"resuming {path} at trial {folder.n_trials} of {config.trials}")
-            return _finish(folder, env)
+            return _finish(folder, env, kept)
 
 
 def _check_same_run(folder: RunFolder, config: TrainConfig) -> None:
@@ -115,15 +123,25 @@ def _flat(settings: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
     return flat
 
 
-def _finish(folder: RunFolder, env: Environment) -> Summary:
+def _finish(folder: RunFolder, env: Environment, kept: Kept | None) -> Summary:
     """Run what is left, draw the learning curve and sum up."""
     first_trial, began = folder.n_trials, time.perf_counter()
+    keeper = None if kept is None else _keeper(folder, env, kept)
     with Progress(folder) as progress:
         for finished in train(folder.config, env, folder.learner, first_trial):
+            if keeper is not None:
+                keeper.look_at(finished.trial)
             folder.commit(finished)
             progress.advance(folder)
     folder.write_curve(_curve(folder))
     return Summary.of(folder, first_trial, time.perf_counter() - began)
+
+
+def _keeper(folder: RunFolder, env: Environment, kept: Kept) -> "EpisodeKeeper":
+    # Where nothing is to be seen, nothing of MuJoCo is loaded.
+    from prospect_mj.experiment.episode_keeper import EpisodeKeeper
+
+    return EpisodeKeeper(folder.path, folder.origin, env.watch(), kept)
 
 
 def _curve(folder: RunFolder) -> bytes:
