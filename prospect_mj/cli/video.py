@@ -1,0 +1,76 @@
+"""The command line for filming a trial of a run."""
+
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import tyro
+
+from prospect_mj.cli import command_line
+from prospect_mj.errors import InvalidValue
+from prospect_mj.sim import gl
+
+if TYPE_CHECKING:
+    pass
+
+
+@dataclass(frozen=True)
+class VideoOptions:
+    """Film a trial of a run, from its states, at real time."""
+
+    run: Annotated[Path, tyro.conf.Positional] = Path()
+    """The run's folder."""
+    out: Annotated[Path, tyro.conf.Positional] = Path("trial.mp4")
+    """MP4 file to write; it must not exist."""
+    trial: int | None = None
+    """Number of the trial, from 0. Default: the last one that was kept."""
+    width: int = 854
+    """Of the picture [pixels]."""
+    height: int = 480
+    """Of the picture [pixels]."""
+    captions: bool = True
+    """Write into the picture which action runs."""
+
+    def __post_init__(self) -> None:
+        """Refuse a file that can't be made."""
+        check_new_video("out", self.out)
+
+
+def check_new_video(what: str, path: Path) -> None:
+    """Refuse a video that can't be written, or is there.
+
+    Raises:
+        InvalidValue: with what is wrong.
+    """
+    if path.suffix != ".mp4":
+        raise InvalidValue(what, str(path), "a name that ends in .mp4")
+    if path.exists():
+        raise InvalidValue(what, str(path), "a file that does not exist")
+    if not path.parent.is_dir():
+        raise InvalidValue(what, str(path), "a file in a folder that exists")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Film what the command line asks for.
+
+    Returns:
+        The exit code; see `command_line.run`.
+    """
+    return command_line.main(_film, VideoOptions(), "video.py", argv)
+
+
+def _film(options: VideoOptions) -> None:
+    gl.require_gl()
+    # MuJoCo is not loaded before it is known that it can render.
+    from prospect_mj.experiment.replayed import chosen, replayed
+    from prospect_mj.experiment.run_folder import RunFolder
+    from prospect_mj.replay.video import VideoSettings, film
+
+    look = VideoSettings(options.width, options.height, captions=options.captions)
+    with RunFolder.open(options.run) as folder:
+        trials = chosen(folder, options.trial, worst=False, failures=False)
+        (one,) = replayed(folder, trials, lambda words: print(words, file=sys.stderr))
+        film(one.episode, options.out, look)
+    print(options.out)
