@@ -102,6 +102,8 @@ def test_the_report_tells_every_statement_with_its_verdict(done, shown):
             and f" | {statement.measures[0].title}: " in line
         }
         fitted = ", fitted" if statement.fitted else ""
+        if statement.follows:
+            fitted = ", follows from two fitted ones"
         verdict = rf"\*\*({'|'.join(Verdict)})\*\*{fitted} \|$"
         assert re.search(verdict, line)
     assert "2 presentations with the lid to the left and 2" in report
