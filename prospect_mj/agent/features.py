@@ -44,8 +44,9 @@ class FeatureSettings:
     normalisation: Normalisation = "energy"
     """Scale of the histogram v: |v|^2 = `energy`, largest bin = 1, or sum = 1."""
     energy: float = 2.4
-    """|v|^2 under "energy" [1]. The paper does not state it; 2.4 is calibrated on its
-    250 pretraining trials, as the learning speed depends on step size times |v|^2."""
+    """|v|^2 under "energy" [1]. The paper does not state it; 2.4 was chosen, with the
+    initial weights, by four of its numbers (docs/reproduction.md), as the learning
+    speed depends on step size times |v|^2."""
 
     def __post_init__(self) -> None:
         """Refuse choices and numbers that make no feature vector."""

@@ -96,7 +96,11 @@ def _check_versions(path: Path, stored: Mapping[str, str]) -> None:
 
 def _check_digests(path: Path, stored: Mapping[str, str], config: TrainConfig) -> None:
     for name, present in fingerprint.digests(config).items():
-        if stored.get(name) != present:
+        if name not in stored:
+            raise RunFolderError(
+                f"{path} does not note its {name}; the run can't be continued"
+            )
+        if stored[name] != present:
             raise RunFolderError(
                 f"{path}: {name} has changed since the run began; "
                 "the run can't be continued"

@@ -6,7 +6,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from prospect_mj import agent, paths
+from prospect_mj import paths
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.recording import files
 from prospect_mj.recording.key import RecordingKey
@@ -19,6 +19,8 @@ from prospect_mj.recording.provenance import (
 
 CONFIGURATION = "configuration"
 LEARNER = "learner"
+LEARNER_CODE = ("agent/features.py", "agent/linear_q.py")
+"""What decides how is learned."""
 
 
 def digests(config: TrainConfig) -> dict[str, str]:
@@ -44,10 +46,8 @@ def digests(config: TrainConfig) -> dict[str, str]:
 
 def learner_digest() -> str:
     """SHA-256 of the learner's code; comments, docstrings and layout don't count."""
-    folder = Path(agent.__file__).parent
-    return code_digest(
-        (path.name, path.read_text("utf-8")) for path in sorted(folder.glob("*.py"))
-    )
+    package = Path(paths.__file__).parent
+    return code_digest((n, (package / n).read_text("utf-8")) for n in LEARNER_CODE)
 
 
 def of_settings(settings: Mapping[str, Any]) -> str:

@@ -11,7 +11,8 @@ OPTIMUM = 2
 """Actions of a solved trial without a wasted one: a grasp and an insertion."""
 NEAR_OPTIMAL = 2.4
 """Mean actions from which a curve counts as near-optimal. The paper has no number; with
-its exploration rate of 0.05 even the best policy takes 2.10 (`paper.optimum`)."""
+its exploration rate of 0.05 even the best policy takes 2.10, see
+`paper.populations.optimum`."""
 
 
 def block_means(n_actions: ArrayLike, size: int = BLOCK) -> NDArray[np.float64]:
@@ -67,8 +68,8 @@ def smoothed_near_optimal_trial(means: ArrayLike, smoothing: int = 3) -> int | N
     """Trial from which moving means of the curve are near-optimal and stay so.
 
     For a study of few runs, in which a single unlucky set would decide; the paper's
-    experiment itself takes the sets as they are (`paper.measures.near_optimal`), and
-    comes out later by a set or two.
+    experiment itself takes the sets as they are, and comes out later by a set or two
+    (`paper.measures.learning.near_optimal`).
 
     Args:
         means: (n_blocks,) [actions], from `block_means`.

@@ -30,19 +30,19 @@ def curves(actions, unsolved, switch):
     return Curves(*taken, np.array([unsolved]), *none, switch)
 
 
-def planted(cut_off=0.6, near=650, pretrained=250, peak=6.5):
+def planted(cut_off=0.6, near=650, pretrained=250, after=6.5):
     """Curves with the four numbers given."""
     trials = np.arange(0, 1000, 10)
     unsolved = np.where(trials == 0, cut_off, 0.0)
     baseline = np.where(trials < near, 5.0, 2.2)
     dominant = np.where(trials < pretrained, 5.0, 2.2)
-    dominant[40:60] = peak
+    dominant[40:60] = after
     return Pair(curves(baseline, unsolved, 0), curves(dominant, unsolved, 40))
 
 
 def test_the_published_numbers_are_at_no_distance():
     assert choices.distance(planted()) == [0]
-    assert choices.distance(planted(cut_off=1.0, peak=6.0)) == [0]
+    assert choices.distance(planted(cut_off=1.0, after=6.0)) == [0]
     assert choices.distance(planted(near=710, pretrained=230)) == [0]
 
 
@@ -52,8 +52,8 @@ def test_the_published_numbers_are_at_no_distance():
         ({"near": 780}, 1.0),
         ({"near": 520}, 1.0),
         ({"pretrained": 300}, 1.0),
-        ({"peak": 5.4}, 1.0),
-        ({"peak": 7.6}, 1.0),
+        ({"after": 5.4}, 1.0),
+        ({"after": 7.6}, 1.0),
         ({"cut_off": 0.4}, 2.0**2),
         ({"cut_off": 0.45, "near": 850}, 1.0 + (135 / 65) ** 2),
     ],

@@ -8,13 +8,12 @@ import pytest
 from prospect_mj.experiment.paper.measures.bootstrap import interval, times_drawn
 from prospect_mj.experiment.paper.measures.curves import RunCounts
 from prospect_mj.experiment.paper.measures.sample import Pair
-from prospect_mj.experiment.paper.measures.statements import STATEMENTS
+from prospect_mj.experiment.paper.measures.statements import MEASURES
 from prospect_mj.experiment.paper.populations.population import run_population
 from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
 from prospect_mj.recording.recording import Recording
 
 RUNS, STUDIES, RESAMPLES = 1000, 100, 500
-MEASURES = [measure for said in STATEMENTS for measure in said.measures]
 COUNTED = [field.name for field in fields(RunCounts) if field.name != "switch"]
 
 
@@ -35,6 +34,7 @@ def covered(counts, truth, rng):
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(7200)
 def test_intervals_of_judged_measures_cover_the_truth_about_as_often_as_they_say():
     config = ReproduceConfig(runs=8 * RUNS, seed=1)
     recording, rng = Recording.load(), np.random.default_rng(7)

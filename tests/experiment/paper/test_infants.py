@@ -58,9 +58,8 @@ def test_an_agent_that_does_as_infants_is_found_to():
 def test_another_order_is_found_too():
     other = planted((*BEGINNING, 0.1, 0.3), (*HEIGHT, 0.1, 0.8), easy_optimal=0.3)
     found = verdicts(other)
-    assert (
-        found[GRIPS] == Verdict.FAILS
-    )  # More nonradial grasps at the height of corrections.
+    # More nonradial grasps at the height of corrections.
+    assert found[GRIPS] == Verdict.FAILS
     assert found[PREFERENCE] == Verdict.FAILS
     assert found[EASY] == Verdict.FAILS
 

@@ -116,6 +116,32 @@ def test_runs_of_other_versions_than_the_recordings_are_refused(runs, package):
         read(runs, 10, physics=other)
 
 
+def test_runs_of_another_learner_are_refused(tmp_path):
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(fingerprint, "learner_digest", lambda: "another learner")
+        live_run(tmp_path / "run", [10, 4, 2])
+    with pytest.raises(RunFolderError, match="the learner's code changed since"):
+        read(tmp_path)
+    with pytest.raises(RunFolderError, match="learner has changed since the run began"):
+        config_file.read(tmp_path / "run" / "config.yaml")
+
+
+def test_runs_that_do_not_note_their_learner_are_read_but_not_continued(tmp_path):
+    known = fingerprint.digests
+
+    def without(config):
+        found = known(config)
+        del found[fingerprint.LEARNER]
+        return found
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(fingerprint, "digests", without)
+        live_run(tmp_path / "run", [10, 4, 2])
+    assert read(tmp_path).n_actions.tolist() == [[10, 4, 2]]
+    with pytest.raises(RunFolderError, match="does not note its learner"):
+        config_file.read(tmp_path / "run" / "config.yaml")
+
+
 def test_finished_runs_are_read_by_later_software_that_would_not_go_on_with_them(
     one, monkeypatch
 ):

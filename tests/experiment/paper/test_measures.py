@@ -207,19 +207,19 @@ def difficult(optimal, early, late):
     return shares
 
 
-def test_the_margin_is_the_smallest_lead_after_the_switch():
+def test_the_smallest_lead_is_found_after_the_switch():
     nothing = [0] * SWITCH
     shares = difficult(
         [*nothing, 0.1, 0.4, 0.9], [*nothing, 0, 0.1, 0.05], [*nothing, 0.02, 0.2, 0]
     )
-    margin = corrections.smallest_lead(on_shares(difficult=shares))
-    np.testing.assert_allclose(margin, [0.1 - 0.02])
+    lead = corrections.smallest_lead(on_shares(difficult=shares))
+    np.testing.assert_allclose(lead, [0.1 - 0.02])
     dominated = difficult([*nothing, 0.1], [*nothing, 0.1], [*nothing, 0.2])
-    margin = corrections.smallest_lead(on_shares(difficult=dominated))
-    np.testing.assert_allclose(margin, [-0.2])
+    lead = corrections.smallest_lead(on_shares(difficult=dominated))
+    np.testing.assert_allclose(lead, [-0.2])
 
 
-def test_the_margin_in_means_passes_over_a_single_set():
+def test_the_smallest_lead_in_means_passes_over_a_single_set():
     optimal = [0] * SWITCH + [0.1, 0.5, 0.6, 0.7, 0.8, 0.9]
     late = [0] * SWITCH + [0.2, 0.1, 0.1, 0.1, 0.1, 0.1]
     pair = on_shares(difficult=difficult(optimal, [0] * len(late), late))
@@ -310,7 +310,7 @@ def test_corrections_increase_and_taper_off():
     np.testing.assert_allclose(corrections.pretraining_left(pretraining), [0.01 / 0.4])
 
 
-ALL = [m for s in statements.STATEMENTS for m in s.measures] + [*statements.FURTHER]
+ALL = [*statements.MEASURES, *statements.FURTHER]
 
 
 def test_measures_have_names_of_their_own():

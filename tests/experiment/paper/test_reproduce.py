@@ -102,6 +102,8 @@ def test_the_report_tells_every_statement_with_its_verdict(done, shown):
             and f" | {statement.measures[0].title}: " in line
         }
         fitted = ", fitted" if statement.fitted else ""
+        if statement.follows:
+            fitted = ", follows from two fitted ones"
         verdict = rf"\*\*({'|'.join(Verdict)})\*\*{fitted} \|$"
         assert re.search(verdict, line)
     assert "2 presentations with the lid to the left and 2" in report
@@ -224,11 +226,11 @@ def test_equal_choices_have_equal_intervals(
         {"runs": 10**9},
         {"trials": 0},
         {"trials": -1},
-        {"trials": 429},
+        {"trials": 699},
         {"trials": 10**9},
         {"ablation_runs": 0},
         {"runs": 10_000, "trials": 2000},
-        {"runs": 10_001, "trials": 500},
+        {"runs": 10_001, "trials": 700},
         {"trials": 10_001},
         {"seed": -1},
     ],
@@ -237,6 +239,12 @@ def test_equal_choices_have_equal_intervals(
 def test_sizes_that_make_no_experiment_are_refused(sizes):
     with pytest.raises(InvalidValue):
         ReproduceConfig(**sizes)
+
+
+def test_the_least_and_the_most_make_one():
+    for sizes in ({"runs": 2, "trials": 700}, {"runs": 10_000}, {"trials": 10_000}):
+        ReproduceConfig(**sizes)
+    assert ReproduceConfig(runs=7).ablation.runs == 7
 
 
 @pytest.fixture

@@ -2,9 +2,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from synthetic import pair, sampled
+from synthetic import of_strategies, pair, sampled
 
 from prospect_mj.experiment.paper.measures import (
+    corrections,
     easy_trials,
     learning,
     quantity,
@@ -19,7 +20,10 @@ from prospect_mj.experiment.paper.measures.statements import (
     Judgement,
 )
 from prospect_mj.experiment.paper.measures.target import Target, Verdict, about, agreed
+from prospect_mj.experiment.paper.populations.scenario import Scenario
+from prospect_mj.experiment.paper.populations.strategies import Strategy
 from prospect_mj.experiment.paper.report import report_statements
+from prospect_mj.recording.hands import LEFT, RIGHT
 
 INF, NAN = np.inf, np.nan
 FALL = next(m for s in STATEMENTS for m in s.measures if "5_to_3" in m.name)
@@ -202,6 +206,23 @@ def test_a_study_too_short_to_tell_denies_nothing():
     assert verdicts[learning.near_optimal] == Verdict.OPEN
     assert verdicts[learning.pretraining_ratio] == Verdict.OPEN
     assert verdicts[FALL] == Verdict.OPEN
+
+
+def test_a_study_shorter_than_the_papers_denies_nothing_of_its_last_trials():
+    # Corrections all along: at the end of a full study that is no tapering off.
+    trials = np.arange(700)
+    strategy = np.where(trials % 2, Strategy.LATE, Strategy.OPTIMAL)
+    lid = np.where((trials < 400) | (trials % 4 < 2), RIGHT, LEFT)
+    for length, verdict in ((700, Verdict.OPEN), (1000, Verdict.FAILS)):
+        more = length - 700
+        used = np.pad(np.tile(strategy, (4, 1)), ((0, 0), (0, more)), mode="wrap")
+        sides = np.pad(lid, (0, more), mode="wrap")
+        sides[:400] = RIGHT
+        sides[700:] = lid[400 : 400 + more]
+        dominant = of_strategies(used, sides, Scenario(length, 400))
+        sample = sampled(pair(runs=4, trials=length)[0], dominant)
+        verdicts = {j.measure: j.verdict for j in statements.judge(sample)}
+        assert verdicts[corrections.difficult_left] == verdict
 
 
 def cut(curves, actions):

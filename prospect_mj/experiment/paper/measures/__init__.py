@@ -1,1 +1,1 @@
-"""What is measured on their learning curves, and held against the paper and infants."""
+"""What is measured on learning curves, and held against the paper and infants."""

@@ -6,7 +6,8 @@ not interpolated, so that infinity, for what is never reached, may be among them
 
 Percentiles of the largest of several noisy means lie too high: it is too large on
 average, and its resamples are so once more. So an extreme is sought among moving means
-(`curves.moving_means`), where there is little noise left. Bias-corrected percentiles
+(`curves.moving_means`), where there is little noise left; but for the smallest lead in
+single sets, which the paper's *never* may mean. Bias-corrected percentiles
 (section 14.3) are no way out: they are too narrow for times at which a curve settles.
 """
 

@@ -89,6 +89,7 @@ def pretraining_left(pair: Pair) -> Floats:
     "The mean share of corrections of any kind in the difficult ones of the last "
     "hundred trials, divided by the largest mean over five successive sets of ten "
     "after the pretraining.",
+    of_end=True,
 )
 def difficult_left(pair: Pair) -> Floats:
     """(b,) [1]."""

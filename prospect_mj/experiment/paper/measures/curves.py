@@ -1,8 +1,8 @@
 """Means over runs in sets of ten trials.
 
 Runs are counted and resampled in whole numbers, which float64 holds exactly, and
-divided once at the end: a mean of just 2.4 actions is 2.4 on every machine, whatever
-order its matrix product adds up in.
+divided once: a mean of just 2.4 actions in a set is 2.4 on every machine, whatever
+order its matrix product adds up in. Means over several sets are rounded.
 """
 
 from dataclasses import dataclass

@@ -46,6 +46,7 @@ def easy_low_trial(pair: Pair) -> Floats:
     "The rise of the share of the optimal strategy on easy trials from its lowest five "
     "sets after the pretraining to the mean of the last hundred trials, divided by the "
     "drop; none without a drop, or if it lies in these hundred trials.",
+    of_end=True,
 )
 def easy_regained(pair: Pair) -> Floats:
     """(b,) [1]."""
@@ -60,8 +61,8 @@ def easy_regained(pair: Pair) -> Floats:
     Kind.RATIO,
     "Part of the rise that difficult trials make",
     "Of the rise of the mean number of actions, from the last hundred trials of the "
-    "pretraining to the first ten after it, the part that is left if easy trials had "
-    "not risen.",
+    "pretraining to the first ten after it, the part that would be left if easy "
+    "trials had not risen.",
 )
 def difficult_part_of_rise(pair: Pair) -> Floats:
     """(b,) [1]."""
@@ -76,7 +77,9 @@ def difficult_part_of_rise(pair: Pair) -> Floats:
     )
     # Mean trials lie between easy and difficult ones, whichever take more actions.
     share = ratio(np.abs(mean - easy), np.abs(difficult - easy))
-    return ratio(share * (difficult - _before(pair)), mean - _before(pair))
+    return ratio(
+        share * (difficult - _actions_before(pair)), mean - _actions_before(pair)
+    )
 
 
 @measure(
@@ -87,7 +90,7 @@ def difficult_part_of_rise(pair: Pair) -> Floats:
 )
 def easy_rise_at_once(pair: Pair) -> Floats:
     """(b,) [actions]."""
-    return pair.dominant.easy_actions[:, pair.dominant.switch] - _before(pair)
+    return pair.dominant.easy_actions[:, pair.dominant.switch] - _actions_before(pair)
 
 
 @measure(
@@ -99,10 +102,10 @@ def easy_rise_at_once(pair: Pair) -> Floats:
 def easy_rise_at_most(pair: Pair) -> Floats:
     """(b,) [actions]."""
     after = pair.dominant.easy_actions[:, pair.dominant.switch :]
-    return np.fmax.reduce(moving_means(after), axis=1) - _before(pair)
+    return np.fmax.reduce(moving_means(after), axis=1) - _actions_before(pair)
 
 
-def _before(pair: Pair) -> Floats:
+def _actions_before(pair: Pair) -> Floats:
     """Mean actions (b,) in the last hundred trials of the pretraining, all easy."""
     actions = pair.dominant.easy_actions[:, : pair.dominant.switch]
     return mean_of_sets(actions[:, -LONG:])

@@ -130,7 +130,7 @@ def fall_ratio(upper: float, lower: float) -> Measure:
         return _reached(ratio(*spans))
 
     return Measure(
-        f"fall_ratio_{upper:g}_to_{lower:g}",
+        f"fall_ratio_{upper:g}_to_{lower:g}".replace(".", "_"),
         Kind.RATIO,
         f"Time from {upper:g} to {lower:g} actions, relative",
         f"Trials in which the mean over all runs falls for good from {upper:g} to "

@@ -25,7 +25,9 @@ class Measure:
     formula: Formula
     end: Callable[[Pair], float] | None = None
     """The trial at which the study ends for it: what was not reached till then would
-    be reached there at the soonest. None: what is never reached never is."""
+    be reached there at the soonest. None: no longer study would reach it."""
+    of_end: bool = False
+    """Whether it is of the last trials, which in a short study come too soon."""
 
     def __call__(self, pair: Pair) -> Floats:
         """Its values (b,)."""
@@ -33,15 +35,25 @@ class Measure:
 
     def estimate(self, sample: Sample) -> Interval:
         """Its value for all runs, with an interval."""
-        return interval(self(sample.mean)[0], self(sample.resampled))
+        return measured(self, sample)
+
+
+def measured(formula: Callable[[Pair], Floats], sample: Sample) -> Interval:
+    """What a formula gives for all runs, with an interval."""
+    return interval(formula(sample.mean)[0], formula(sample.resampled))
 
 
 def measure(
-    kind: Kind, title: str, definition: str, end: Callable[[Pair], float] | None = None
+    kind: Kind,
+    title: str,
+    definition: str,
+    end: Callable[[Pair], float] | None = None,
+    of_end: bool = False,
 ) -> Callable[[Formula], Measure]:
     """Make a measure of a formula, named as the formula is; see `Measure`."""
 
     def make(formula: Formula) -> Measure:
-        return Measure(formula.__name__, kind, title, definition, formula, end)
+        name = formula.__name__
+        return Measure(name, kind, title, definition, formula, end, of_end)
 
     return make

@@ -4,6 +4,7 @@ from typing import NamedTuple, Self
 
 import numpy as np
 
+from prospect_mj.experiment.learning_curve import BLOCK
 from prospect_mj.experiment.paper.measures.bootstrap import Floats, times_drawn
 from prospect_mj.experiment.paper.measures.curves import Curves, RunCounts
 from prospect_mj.experiment.paper.populations.population import Population
@@ -32,6 +33,10 @@ class Resampling(NamedTuple):
         return cls(*(times_drawn(runs, rng) for _ in cls._fields))
 
 
+FULL = 1000
+"""Trials of the paper's study."""
+
+
 class Sample(NamedTuple):
     """Curves as they are, and resampled."""
 
@@ -39,6 +44,11 @@ class Sample(NamedTuple):
     """b = 1."""
     resampled: Pair
     """As many runs, drawn with replacement."""
+
+    @property
+    def is_short(self) -> bool:
+        """Whether its last trials come before those of the paper."""
+        return BLOCK * self.mean.dominant.actions.shape[1] < FULL
 
     @classmethod
     def of(

@@ -7,16 +7,19 @@ measures of the same are taken, and the statement depends on the measure if they
 
 What the paper leaves open, above all the scale of the histogram and the spread of the
 initial weights, was chosen by four of its numbers. Their statements are marked as
-fitted: that they hold is no prediction. The others had no part in any choice.
+fitted: that they hold is no prediction. The others had no part in any choice, but one
+of them follows from two that are fitted.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from math import inf
+from typing import NamedTuple
 
 import pyarrow as pa
 
+from prospect_mj.experiment.learning_curve import BLOCK
 from prospect_mj.experiment.paper.measures import corrections, easy_trials, learning
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
 from prospect_mj.experiment.paper.measures.measure import Measure
@@ -35,6 +38,8 @@ class Statement:
     target: Target
     fitted: bool = False
     """Whether defaults were chosen by it."""
+    follows: bool = False
+    """Whether it follows from others that are fitted."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +68,7 @@ _DROP = (
     "show a temporary drop in the optimal strategy as the agent explores nonradial "
     "grips."
 )
-_BY_A_SET = Target(1.0, inf, "first: by a set or more")
+_BY_A_SET = Target(float(BLOCK), inf, "first: by a set or more")
 
 EARLY_FIRST = Statement(
     "In the child study, late corrections disappear before early corrections, but in "
@@ -102,6 +107,7 @@ STATEMENTS = (
         "presented in the same orientation.",
         (learning.pretraining_ratio,),
         Target(0.0, 0.9, "faster: in 0.9 of the time or less"),
+        follows=True,
     ),
     Statement(
         _SWITCH,
@@ -162,6 +168,7 @@ STATEMENTS = (
     EARLY_FIRST,
 )
 
+MEASURES = tuple(measure for said in STATEMENTS for measure in said.measures)
 FITTED = tuple(said for said in STATEMENTS if said.fitted)
 """Those that choices of what the paper leaves open are held against."""
 
@@ -192,18 +199,27 @@ def _judged(statement: Statement, measure: Measure, sample: Sample) -> Judgement
     measured = measure.estimate(sample)
     end = inf if measure.end is None else measure.end(sample.mean)
     verdict = statement.target.verdict(measured, end)
+    if measure.of_end and sample.is_short:
+        verdict = verdict.not_denied()
     return Judgement(statement, measure, measured, verdict)
 
 
-def by_statement(
-    judgements: Sequence[Judgement],
-) -> list[tuple[Statement, list[Judgement], Verdict]]:
-    """Each statement, what its measures say, and what they say together."""
+class Judged(NamedTuple):
+    """A statement by all of its measures."""
+
+    statement: Statement
+    judgements: Sequence[Judgement]
+    verdict: Verdict
+    """What they say together."""
+
+
+def by_statement(judgements: Sequence[Judgement]) -> list[Judged]:
+    """Each statement with what its measures say."""
     groups = groupby(judgements, key=lambda judged: judged.statement)
-    listed = [(statement, list(judged)) for statement, judged in groups]
+    listed = [(statement, list(of_it)) for statement, of_it in groups]
     return [
-        (statement, judged, agreed(each.verdict for each in judged))
-        for statement, judged in listed
+        Judged(statement, of_it, agreed(each.verdict for each in of_it))
+        for statement, of_it in listed
     ]
 
 

@@ -17,6 +17,10 @@ class Verdict(StrEnum):
     DEPENDS = "depends on the measure"
     """It holds by one measure of the same, and does not by another."""
 
+    def not_denied(self) -> "Verdict":
+        """The same, but undecided in place of a denial."""
+        return Verdict.OPEN if self is Verdict.FAILS else self
+
 
 @dataclass(frozen=True)
 class Target:
@@ -24,7 +28,7 @@ class Target:
 
     low: float
     high: float
-    words: str
+    words: str = ""
     """The published number or comparison, and what counts as that."""
     number: float | None = None
     """The published number itself, or the bound of the comparison."""

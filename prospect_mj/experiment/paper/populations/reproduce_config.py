@@ -1,4 +1,4 @@
-"""Size of a reproduction of the paper's experiment."""
+"""Size of a reproduction of the paper's experiment, which all of its parts know."""
 
 from dataclasses import dataclass
 

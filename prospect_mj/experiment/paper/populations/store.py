@@ -17,6 +17,7 @@ from pyarrow.lib import ArrowException
 
 from prospect_mj import paths, tables
 from prospect_mj.errors import ForeignTable, RunFolderError
+from prospect_mj.experiment.fingerprint import LEARNER_CODE
 from prospect_mj.experiment.paper.populations.population import (
     Population,
     run_population,
@@ -35,8 +36,7 @@ from prospect_mj.recording.recording import Recording
 from prospect_mj.storage import make_folder, replace_file
 
 CODE = (
-    "agent/features.py",
-    "agent/linear_q.py",
+    *LEARNER_CODE,
     "experiment/paper/populations/compiled_learner.py",
     "experiment/paper/populations/kernel.py",
     "experiment/paper/populations/outcome_graph.py",

@@ -30,11 +30,11 @@ class Strategy(IntEnum):
     """How the jar came to be inserted."""
 
     OPTIMAL = 0
-    """First grasped by the right hand, and not passed on."""
+    """First grasped by the hand on the lid's side, and not passed on."""
     EARLY = 1
-    """First grasped by the wrong hand; no insertion failed."""
+    """First grasped by the other hand; no insertion failed."""
     LATE = 2
-    """First grasped by the wrong hand; an insertion failed."""
+    """First grasped by the other hand; an insertion failed."""
     OTHER = 3
     """Anything else, an unsolved trial among it."""
 

@@ -23,10 +23,9 @@ from prospect_mj.experiment.paper.report import (
 )
 from prospect_mj.recording.key import RecordingKey
 
-ABLATION = "ablation"
+ABLATION, STATEMENTS = "ablation", "statements"
 _FEW = 20
 """Runs; of ten, a 95 % interval covers the mean of a normal distribution in 90 %."""
-STATEMENTS = "statements"
 
 
 @dataclass(frozen=True)
@@ -97,8 +96,8 @@ def _opening(results: Results) -> Iterable[str]:
     yield _recording(results.key, results.changed)
     yield (
         f"In brackets: {100 * LEVEL:.0f} % intervals, percentiles of {RESAMPLES} "
-        "resamples of the runs. The bands of the figures are made in the same way, set "
-        "by set."
+        "resamples of the runs. The bands of figures 5 and 6 are made in the same way, "
+        "set by set."
     )
     for where, runs in (("", config.runs), (" in the ablation", config.ablation.runs)):
         if runs < _FEW:
@@ -120,8 +119,8 @@ def _figures() -> Iterable[str]:
     yield (
         f"Lines are means over runs, shades their {100 * LEVEL:.0f} % bands; where no "
         "shade is seen it is narrower than the line. What the paper states is marked "
-        "as it says it: a trial by a line over all heights, a height that was exceeded "
-        "by an arrow upwards from it."
+        "as it says it: a trial by a line over all heights; a height that was "
+        "exceeded, by an arrow upwards from it."
     )
     for name, title in FIGURES.items():
         yield f"![{title}]({name}.png)"

@@ -15,16 +15,17 @@ def section(rows: Sequence[Row], runs: int) -> Iterable[str]:
     factors = choices.by_factor(rows)
     yield "## What the published text leaves open"
     yield (
-        f"One choice at a time round the default, {runs} runs per scenario and choice, "
-        "none of them one of the runs above. The distance is the sum of squared "
-        "differences from the four published ranges that are fitted, each in tenths of "
-        "the number; inside of the range there is none. Where something is never "
-        "reached, the end of the study counts, and the distance is a lower bound (>=). "
-        "The scale of the histogram was chosen with the default's other choices; those "
-        "that fit worse are tried again at the scale that a coarse search found best "
-        "for them. All choices have runs of the same seeds and the same resamples of "
-        "them; whether one is farther from the paper than the default is judged by the "
-        "interval of the difference of their distances."
+        f"One thing changed at a time, some with the histogram's scale as well, {runs} "
+        "runs per scenario and choice, none of them one of the runs above. The "
+        "distance is the sum of squared differences from the four published ranges "
+        "that are fitted, each in tenths of the number; inside of the range there is "
+        "none. Where something is never reached, the end of the study counts, and the "
+        "distance is a lower bound (>=). The scale of the histogram was chosen with "
+        "the default's other choices; some that fit worse are tried at other scales "
+        "too, those that a coarse search found nearest for them. All choices have "
+        "runs of the same seeds and the same resamples of them; whether one is "
+        "farther from the paper than the default is judged by the interval of the "
+        "difference of their distances."
     )
     default = choices.default_of(rows)
     heads = [m.title.lower() for said in FITTED for m in said.measures]
@@ -38,7 +39,7 @@ def section(rows: Sequence[Row], runs: int) -> Iterable[str]:
         ],
     )
     yield _rule(factors.values())
-    yield "\n".join(_fit(factor, rows) for factor, rows in factors.items())
+    yield "\n".join(_fit(factor, of_it) for factor, of_it in factors.items())
     yield from _verdicts(list(factors.values()))
 
 
@@ -97,8 +98,8 @@ def _verdicts(factors: Sequence[Sequence[Row]]) -> Iterable[str]:
         "choices that are as good:"
     )
     lines = [
-        _verdict(judged, [(row, row.judgements[number]) for row in alike])
-        for number, judged in enumerate(default.judgements)
+        _verdict(judged, [(row, row.judgements[place]) for row in alike])
+        for place, judged in enumerate(default.judgements)
     ]
     yield table(("measure", "with the default", "the same with", "but"), lines)
 

@@ -46,7 +46,8 @@ def section(sample: Sample) -> Iterable[str]:
         "corrections between it and the end, and the end; they stand for 9, 14 and 19 "
         "months. An order holds if the intervals put all of its parts beyond doubt, "
         "does not hold if they exclude one of them, and is undecided otherwise. "
-        "When corrections disappear is measured in several ways, as above."
+        "When corrections disappear is measured in several ways, as above, and may "
+        "depend on the measure."
     )
     yield table(
         ("infants, as the paper tells", "the same in the agent", "verdict"),

@@ -5,7 +5,11 @@ from collections.abc import Iterable, Sequence
 from prospect_mj.experiment.paper.measures import statements
 from prospect_mj.experiment.paper.measures.quantity import with_interval
 from prospect_mj.experiment.paper.measures.sample import Sample
-from prospect_mj.experiment.paper.measures.statements import Judgement, by_statement
+from prospect_mj.experiment.paper.measures.statements import (
+    Judgement,
+    Statement,
+    by_statement,
+)
 from prospect_mj.experiment.paper.report.markdown import definitions, table
 
 
@@ -14,7 +18,7 @@ def published(judgements: Sequence[Judgement]) -> Iterable[str]:
     yield "## What the paper states"
     rows = []
     for said, of_it, together in by_statement(judgements):
-        verdict = f"**{together}**" + (", fitted" if said.fitted else "")
+        verdict = f"**{together}**" + _fitted(said)
         rows.append((said.text, said.target.words, _measured(of_it), verdict))
     yield table(("the paper", "as a number", "measured", "verdict"), rows)
     yield (
@@ -22,12 +26,19 @@ def published(judgements: Sequence[Judgement]) -> Iterable[str]:
         "contradicts it if none of it is, and leaves it undecided otherwise, as most "
         "small studies do. Where the paper doesn't say how it measured, there are "
         "several measures of the same: the statement then holds if it does by all of "
-        "them, and depends on the measure if one confirms and one contradicts it. "
+        "them, does not if all contradict it, depends on the measure if one confirms "
+        "and one contradicts it, and is undecided otherwise. "
         "*Fitted*: what the paper leaves open, above all the scale of the histogram "
         "and the initial weights, was chosen by this number; that it comes out is no "
         "prediction. No setting of the learner was chosen by the other rows."
     )
     yield definitions(dict.fromkeys(judged.measure for judged in judgements))
+
+
+def _fitted(said: Statement) -> str:
+    if said.follows:
+        return ", follows from two fitted ones"
+    return ", fitted" if said.fitted else ""
 
 
 def _measured(judgements: Sequence[Judgement]) -> str:
