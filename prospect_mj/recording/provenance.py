@@ -21,6 +21,9 @@ PACKAGES = (
     "numba",
     "scipy",
     "opencv-python-headless",
+    "lxml",
+    "networkx",
+    "PyOpenGL",
 )
 """Outcomes are bit-identical only within one version of each of these."""
 
