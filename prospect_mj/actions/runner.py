@@ -25,7 +25,7 @@ from prospect_mj.robot.names import SIDES, Side
 from prospect_mj.robot.torso import Reading, Torso
 from prospect_mj.sim.simulation import Simulation
 
-Observer = Callable[[Sequence[Controller], Reading], None]
+Watcher = Callable[[Sequence[Controller], Reading], None]
 """Told in every control period, before the physics goes on, which controllers were
 updated with which reading; must not change either."""
 
@@ -52,7 +52,7 @@ class ActionRunner:
         twin: the kinematic twin that all controllers share.
         arms: the kinematics of both arms.
         belief: what the robot knows of the jar in this trial.
-        observer: see `Observer`; None: nobody watches.
+        watcher: see `Watcher`; None: nobody watches.
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class ActionRunner:
         self._workspace = workspace(props)
         self._nominal = props.pedestal.nominal
         self.belief = Belief()
-        self.observer: Observer | None = None
+        self.watcher: Watcher | None = None
 
     def begin(self, belief: Belief) -> None:
         """Start a trial with what the first look told, or go on with another belief."""
@@ -119,8 +119,8 @@ class ActionRunner:
                     arm.command_joints(targets.joints)
                 if targets.fingers is not None:
                     arm.command_fingers(targets.fingers)
-            if self.observer is not None:
-                self.observer(running, reading)
+            if self.watcher is not None:
+                self.watcher(running, reading)
             self._simulation.step(self._substeps)
         self._feel()
 

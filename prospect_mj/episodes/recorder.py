@@ -57,7 +57,7 @@ class WatchedTask(Closing):
         self._stride = (RecorderSettings() if settings is None else settings).stride
         self._look: LookTaken | None = None
         self._forget()
-        task.runner.observer = self._watch
+        task.runner.watcher = self._watch
 
     @property
     def simulation(self) -> Simulation:
@@ -117,7 +117,7 @@ class WatchedTask(Closing):
 
     def close(self) -> None:
         """Watch no more, and close the task."""
-        self.task.runner.observer = None
+        self.task.runner.watcher = None
         self.task.close()
 
     @property

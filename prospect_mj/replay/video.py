@@ -72,7 +72,8 @@ def pictures(episode: Episode, settings: VideoSettings) -> Iterator[Image]:
     """Its pictures (height, width, 3), RGB, in order."""
     model, size = model_of(episode), (settings.height, settings.width)
     overview.light_for_people(model, size)
-    data, camera = mujoco.MjData(model), overview.camera()
+    data = mujoco.MjData(model)
+    camera = overview.camera()
     times = episode.states.times
     wanted = np.arange(times[0], times[-1], 1 / settings.rate)
     with OffscreenRenderer(model, *size) as renderer:

@@ -40,7 +40,7 @@ class Watched:
 
 def run(observer=None):
     with PickPlaceTask(TaskSettings()) as task:
-        task.runner.observer = observer
+        task.runner.watcher = observer
         task.reset("left", np.random.default_rng(3))
         outcomes = [task.execute(action) for action in ACTIONS]
         return outcomes, task.simulation.save()
