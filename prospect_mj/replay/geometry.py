@@ -30,7 +30,8 @@ def shapes(model: mujoco.MjModel) -> Iterator[tuple[str, rr.AsComponents]]:
         )
         for kind in sorted({int(model.geom_type[g]) for g in geoms}):
             of_kind = [int(g) for g in geoms if model.geom_type[g] == kind]
-            path = f"{entity(model, body)}/{_GEOM(kind).name[6:].lower()}"
+            name = _GEOM(kind).name.removeprefix("mjGEOM_").lower()
+            path = f"{entity(model, body)}/{name}"
             yield path, _batch(model, _GEOM(kind), of_kind)
 
 

@@ -71,9 +71,10 @@ def _curve(
     there = ~np.isnan(values)
     if not there.any():
         return
-    # One value that is none ends a stretch, or a line would be drawn over the gap.
+    # A row with nothing in it ends a stretch, or a line would be drawn over the gap.
     shown = there | np.append(False, there[:-1])
-    curve = rr.Scalars.columns(scalars=values[shown])
-    stream.send_columns(path, [column(times[shown])], curve)
+    curve = rr.Scalars.columns(scalars=values[there])
+    rows = curve.partition(there[shown].astype(np.int64))
+    stream.send_columns(path, [column(times[shown])], rows)
     lines = rr.SeriesLines(names=[name], colors=[COLOURS[side]], widths=[1.5])
     stream.log(path, lines, static=True)
