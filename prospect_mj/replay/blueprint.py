@@ -37,15 +37,22 @@ def _seen_and_felt(with_values: bool) -> rrb.Vertical:
         rrb.BarChartView(origin=rerun_story.HISTOGRAM, name="Histogram"),
     )
     curves = [
-        rrb.TimeSeriesView(origin="errors", name="Errors [mm, deg]"),
-        rrb.TimeSeriesView(origin="grasp_residual", name="Grasp residual"),
-        rrb.TimeSeriesView(origin="forces", name="Forces [N]"),
+        _curves("errors", "Errors [mm, deg]"),
+        _curves("grasp_residual", "Grasp residual"),
+        _curves("forces", "Forces [N]"),
     ]
     if with_values:
-        curves.append(rrb.TimeSeriesView(origin=rerun_signals.Q_VALUES, name="Q"))
+        curves.append(_curves(rerun_signals.Q_VALUES, "Q-values"))
     words = rrb.TextLogView(origin=rerun_story.LOG, name="What came of it")
     shares = [3, *([2] * len(curves)), 2]
     return rrb.Vertical(look, *curves, words, row_shares=shares)
+
+
+def _curves(origin: str, name: str) -> rrb.TimeSeriesView:
+    """Curves with their names where new ones seldom are."""
+    return rrb.TimeSeriesView(
+        origin=origin, name=name, plot_legend=rrb.Corner2D.RightTop
+    )
 
 
 def _eye() -> rrb.archetypes.EyeControls3D:

@@ -11,8 +11,11 @@ from prospect_mj.episodes.episode import Episode
 from prospect_mj.replay import rerun_scene, rerun_signals, rerun_story
 from prospect_mj.replay.blueprint import blueprint
 from prospect_mj.replay.playback import model_of, play
+from prospect_mj.sim import overview
 
 APPLICATION = "prospect_mj"
+_UNUSED = (64, 64)
+"""Size of pictures, of which none is rendered here [pixels]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +63,8 @@ def log(episode: Episode, story: Story, stream: rr.RecordingStream) -> None:
     """Log an episode to a stream."""
     model = model_of(episode)
     frames = play(episode, model)
+    # The eyes' world is dark; people see its colours by daylight.
+    overview.light_for_people(model, _UNUSED)
     stream.send_recording_name(story.title)
     rerun_scene.log_scene(stream, model)
     rerun_scene.log_motion(stream, model, frames)
