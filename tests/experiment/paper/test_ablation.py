@@ -1,5 +1,5 @@
 from collections import defaultdict
-from dataclasses import fields, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ from synthetic import pair, sampled
 from prospect_mj.experiment.paper.ablation import ablation_table, choices
 from prospect_mj.experiment.paper.ablation.choices import Row, Variant
 from prospect_mj.experiment.paper.measures.bootstrap import Interval, interval
-from prospect_mj.experiment.paper.measures.curves import Curves
+from prospect_mj.experiment.paper.measures.curves import Curves, OfKind
 from prospect_mj.experiment.paper.measures.sample import Pair
 from prospect_mj.experiment.paper.measures.statements import STATEMENTS, Judgement
 from prospect_mj.experiment.paper.measures.target import Verdict
@@ -25,9 +25,9 @@ HOLDS, FAILS, OPEN = Verdict.HOLDS, Verdict.FAILS, Verdict.OPEN
 
 
 def curves(actions, unsolved, switch):
-    none = [np.zeros((1, n, len(actions))) for n in (4, 4, 2, 2)]
-    taken = 3 * [np.array([actions])]
-    return Curves(*taken, np.array([unsolved]), *none, switch)
+    taken = np.array([actions])
+    of_kind = OfKind(taken, *(np.zeros((1, n, len(actions))) for n in (4, 2)))
+    return Curves(taken, np.array([unsolved]), of_kind, of_kind, switch)
 
 
 def planted(cut_off=0.6, near=650, pretrained=250, after=6.5):
@@ -77,11 +77,7 @@ def test_what_a_short_study_could_not_reach_is_at_no_distance():
 
 def replace_end(pair, sets):
     """The same without what follows a number of sets in the first scenario."""
-    shorter = {
-        field.name: getattr(pair.baseline, field.name)[..., :sets]
-        for field in fields(pair.baseline)
-        if field.name != "switch"
-    }
+    shorter = {n: getattr(pair.baseline, n)[:, :sets] for n in ("actions", "unsolved")}
     return pair._replace(baseline=replace(pair.baseline, **shorter))
 
 

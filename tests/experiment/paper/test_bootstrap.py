@@ -7,7 +7,7 @@ from synthetic import of_strategies
 
 from prospect_mj.experiment.paper.measures import easy_trials, learning
 from prospect_mj.experiment.paper.measures.bootstrap import band, interval, times_drawn
-from prospect_mj.experiment.paper.measures.curves import RunCounts
+from prospect_mj.experiment.paper.measures.curves import KindCounts, RunCounts
 from prospect_mj.experiment.paper.measures.sample import Pair
 from prospect_mj.experiment.paper.populations.scenario import Scenario
 from prospect_mj.experiment.paper.populations.strategies import Strategy
@@ -47,9 +47,8 @@ def planted(runs, rng):
     nothing = np.zeros((runs, 2, len(optimal)))
     taken = np.rint(10 * actions + 0.3 * np.sqrt(10) * rng.standard_normal(shape))
     shares = np.stack([used, 0 * used, 0 * used, 10 - used], axis=1)
-    return RunCounts(
-        taken, taken, taken, 0 * used, shares, shares, nothing, nothing, 10
-    )
+    of_kind = KindCounts(taken, shares, nothing)
+    return RunCounts(taken, 0 * used, of_kind, of_kind, 10)
 
 
 TRUTH = {

@@ -1,6 +1,6 @@
 """Intervals against what eight thousand recorded runs come to, of other seeds."""
 
-from dataclasses import fields
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
@@ -14,13 +14,16 @@ from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceC
 from prospect_mj.recording.recording import Recording
 
 RUNS, STUDIES, RESAMPLES = 1000, 100, 500
-COUNTED = [field.name for field in fields(RunCounts) if field.name != "switch"]
 
 
 def rows(counts, numbers):
-    """Some of the runs."""
-    taken = {name: getattr(counts, name)[numbers] for name in COUNTED}
-    return RunCounts(**taken, switch=counts.switch)
+    """Some of the runs: of what is counted, and of what is counted of a kind."""
+    if isinstance(counts, np.ndarray):
+        return counts[numbers]
+    if isinstance(counts, int):
+        return counts
+    parts = {f.name: rows(getattr(counts, f.name), numbers) for f in fields(counts)}
+    return replace(counts, **parts)
 
 
 def covered(counts, truth, rng):

@@ -36,13 +36,17 @@ def test_counts_of_a_population_by_hand():
     # (6 * 2 + 4 * 10 + 10 * 3) / 20, (10 * 4 + 5 * 2 + 5 * 4) / 20; four trials left.
     np.testing.assert_allclose(mean.actions, [[4.1, 3.5]])
     np.testing.assert_allclose(mean.unsolved, [[0.2, 0.0]])
-    np.testing.assert_allclose(mean.easy[0, :, 0], [6 / 20, 10 / 20, 0, 4 / 20])
-    np.testing.assert_allclose(mean.easy[0, :, 1], [2 / 4, 0, 2 / 4, 0])
-    np.testing.assert_allclose(mean.difficult[0, :, 1], [3 / 16, 0, 13 / 16, 0])
-    assert np.isnan(mean.difficult[0, :, 0]).all()
+    np.testing.assert_allclose(
+        mean.easy.strategies[0, :, 0], [6 / 20, 10 / 20, 0, 4 / 20]
+    )
+    np.testing.assert_allclose(mean.easy.strategies[0, :, 1], [2 / 4, 0, 2 / 4, 0])
+    np.testing.assert_allclose(
+        mean.difficult.strategies[0, :, 1], [3 / 16, 0, 13 / 16, 0]
+    )
+    assert np.isnan(mean.difficult.strategies[0, :, 0]).all()
     # First grasps: in the first set ten of twenty trials are early corrections.
-    np.testing.assert_allclose(mean.easy_grips[0, :, 0], [0.5, 0.5])
-    np.testing.assert_allclose(mean.difficult_grips[0, :, 1], [3 / 16, 13 / 16])
+    np.testing.assert_allclose(mean.easy.grips[0, :, 0], [0.5, 0.5])
+    np.testing.assert_allclose(mean.difficult.grips[0, :, 1], [3 / 16, 13 / 16])
 
 
 def test_a_trial_without_a_grasp_has_no_grip():
@@ -50,7 +54,7 @@ def test_a_trial_without_a_grasp_has_no_grip():
     hand = population.first_hand.copy()
     hand[0, :4], hand[0, 4:6] = NONE, LEFT
     mean = RunCounts.of(replace(population, first_hand=hand)).mean()
-    np.testing.assert_allclose(mean.easy_grips[0, :, 0], [4 / 6, 2 / 6])
+    np.testing.assert_allclose(mean.easy.grips[0, :, 0], [4 / 6, 2 / 6])
 
 
 @pytest.mark.parametrize("runs", [3, 7, 49, 1000])
@@ -71,7 +75,7 @@ def test_a_share_of_just_the_threshold_is_the_threshold(runs):
     strategy = np.full((5 * runs, 10), LATE)
     strategy[::5, 0] = EARLY
     counts = RunCounts.of(of_strategies(strategy, LEFT, Scenario(10)))
-    assert counts.mean().difficult[0, EARLY, 0] == corrections.GONE[0]
+    assert counts.mean().difficult.strategies[0, EARLY, 0] == corrections.GONE[0]
 
 
 def test_equal_means_are_equal_to_the_last_bit_in_whatever_order_runs_come():
@@ -87,14 +91,16 @@ def test_equal_means_are_equal_to_the_last_bit_in_whatever_order_runs_come():
         )
     )
     np.testing.assert_array_equal(shuffled.mean().actions, counts.mean().actions)
-    np.testing.assert_array_equal(shuffled.mean().easy, counts.mean().easy)
+    np.testing.assert_array_equal(
+        shuffled.mean().easy.strategies, counts.mean().easy.strategies
+    )
 
 
 def test_shares_of_all_strategies_add_up_to_one():
     curves = resampled(RunCounts.of(pair()[1]), np.random.default_rng(0), 50)
-    np.testing.assert_allclose(curves.easy.sum(axis=1), 1)
-    np.testing.assert_allclose(curves.difficult[..., 40:].sum(axis=1), 1)
-    assert np.isnan(curves.difficult[..., :40]).all()
+    np.testing.assert_allclose(curves.easy.strategies.sum(axis=1), 1)
+    np.testing.assert_allclose(curves.difficult.strategies[..., 40:].sum(axis=1), 1)
+    assert np.isnan(curves.difficult.strategies[..., :40]).all()
 
 
 def test_resamples_spread_as_the_mean_of_so_many_runs_does():

@@ -9,7 +9,7 @@ from prospect_mj.experiment.paper.measures import (
     learning,
     statements,
 )
-from prospect_mj.experiment.paper.measures.curves import Curves
+from prospect_mj.experiment.paper.measures.curves import Curves, OfKind
 from prospect_mj.experiment.paper.measures.sample import Pair
 
 SWITCH = 4
@@ -28,18 +28,21 @@ def curves(
 ):
     """Curves of one resample; `easy`, `difficult`: (4, s) shares."""
     n = len(actions)
-    none, grips = np.zeros((4, n)), np.zeros((1, 2, n))
     return Curves(
         np.array([actions], float),
-        np.array([actions if easy_actions is None else easy_actions], float),
-        np.array([actions if difficult_actions is None else difficult_actions], float),
         np.array([np.zeros(n) if unsolved is None else unsolved], float),
-        np.array([none if easy is None else easy], float),
-        np.array([none if difficult is None else difficult], float),
-        grips,
-        grips,
+        of_kind(actions if easy_actions is None else easy_actions, easy),
+        of_kind(actions if difficult_actions is None else difficult_actions, difficult),
         switch,
     )
+
+
+def of_kind(actions, shares):
+    """Those of the easy or of the difficult trials; without shares none has any."""
+    n = len(actions)
+    given = np.zeros((4, n)) if shares is None else shares
+    strategies, taken = np.array([given], float), np.array([actions], float)
+    return OfKind(taken, strategies, np.zeros((1, 2, n)))
 
 
 def on_actions(baseline, dominant=(9, 9, 2, 2, 6, 2)):

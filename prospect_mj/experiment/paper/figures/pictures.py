@@ -94,11 +94,11 @@ def _figures_6(
 ) -> Iterator[Picture]:
     mean, many = sample.mean.dominant, sample.resampled.dominant
     easy, difficult = _easy_and_difficult(best, scenario)
-    for name, trials, tables in (
-        (captions.FIGURE_6A, "easy", (mean.easy, many.easy, easy)),
-        (captions.FIGURE_6B, "difficult", (mean.difficult, many.difficult, difficult)),
+    for name, trials, once, drawn, best_share in (
+        (captions.FIGURE_6A, "easy", mean.easy, many.easy, easy),
+        (captions.FIGURE_6B, "difficult", mean.difficult, many.difficult, difficult),
     ):
-        table = strategy_table(*tables)
+        table = strategy_table(once.strategies, drawn.strategies, best_share)
         heading = Heading(_title(name), of, scenario.pretrain)
         yield Picture(name, table, strategy_figure.strategies(table, heading, trials))
 

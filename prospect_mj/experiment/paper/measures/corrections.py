@@ -183,12 +183,12 @@ _EARLY_AND_LATE = Strategy.EARLY, Strategy.LATE
 
 def _difficult(pair: Pair) -> Floats:
     """Shares (b, 4, s) of strategies in difficult trials after the pretraining."""
-    return pair.dominant.difficult[:, :, pair.dominant.switch :]
+    return pair.dominant.difficult.strategies[:, :, pair.dominant.switch :]
 
 
 def _pretraining(pair: Pair) -> Floats:
     """The same in the pretraining, all easy."""
-    return pair.dominant.easy[:, :, : pair.dominant.switch]
+    return pair.dominant.easy.strategies[:, :, : pair.dominant.switch]
 
 
 def _corrections(shares: Floats) -> Floats:

@@ -29,26 +29,27 @@ LONG = 10
 
 
 @dataclass(frozen=True)
+class OfKind:
+    """Means over the trials of a kind, easy or difficult; NaN without such trials."""
+
+    actions: Floats
+    """(b, s) [actions] per trial."""
+    strategies: Floats
+    """(b, 4, s), share of each `Strategy`."""
+    grips: Floats
+    """(b, 2, s), share of each `Grip` in the first grasps."""
+
+
+@dataclass(frozen=True)
 class Curves:
     """Means over runs, b times resampled, of s sets of ten trials."""
 
     actions: Floats
     """(b, s) [actions] per trial."""
-    easy_actions: Floats
-    """(b, s) [actions] per easy trial; NaN without such trials."""
-    difficult_actions: Floats
-    """(b, s) [actions] per difficult trial; NaN without such trials."""
     unsolved: Floats
     """(b, s), share of trials cut off."""
-    easy: Floats
-    """(b, 4, s), share of each `Strategy` in easy trials; NaN without such trials."""
-    difficult: Floats
-    """(b, 4, s), the same in the difficult trials."""
-    easy_grips: Floats
-    """(b, 2, s), share of each `Grip` in the first grasps of easy trials; NaN without
-    any."""
-    difficult_grips: Floats
-    """(b, 2, s), the same in the difficult trials."""
+    easy: OfKind
+    difficult: OfKind
     switch: int
     """Sets of pretraining."""
 
@@ -59,25 +60,45 @@ class Curves:
 
 
 @dataclass(frozen=True)
+class KindCounts:
+    """What is counted in the trials of a kind, easy or difficult; whole numbers."""
+
+    actions: Floats
+    """(r, s) [actions]."""
+    strategies: Floats
+    """(r, 4, s), trials with each `Strategy`."""
+    grips: Floats
+    """(r, 2, s), trials that begin with each `Grip`."""
+
+    @classmethod
+    def of(cls, population: Population, of_kind: NDArray[np.bool_]) -> Self:
+        """Count the trials of a kind (runs, trials)."""
+        grip = first_grip(population.lid, population.first_hand)
+        used = [of_kind & (population.strategy == strategy) for strategy in Strategy]
+        began = [of_kind & (grip == kind) for kind in Grip]
+        actions = _sums(population.n_actions * of_kind)
+        return cls(actions, _counts(used), _counts(began))
+
+    def drawn(self, times: Floats) -> OfKind:
+        """Means where each run is there so many times (b, r)."""
+        trials = times @ self.strategies.sum(axis=1)
+        return OfKind(
+            ratio(times @ self.actions, trials),
+            _shares(times, self.strategies),
+            _shares(times, self.grips),
+        )
+
+
+@dataclass(frozen=True)
 class RunCounts:
     """What is counted in each of r runs and s sets of ten trials; whole numbers."""
 
     actions: Floats
     """(r, s) [actions]."""
-    easy_actions: Floats
-    """(r, s) [actions] in easy trials."""
-    difficult_actions: Floats
-    """(r, s) [actions] in the others."""
     unsolved: Floats
     """(r, s), trials cut off."""
-    easy: Floats
-    """(r, 4, s), easy trials with each `Strategy`."""
-    difficult: Floats
-    """(r, 4, s), difficult trials with each."""
-    easy_grips: Floats
-    """(r, 2, s), easy trials that begin with each `Grip`."""
-    difficult_grips: Floats
-    """(r, 2, s), difficult trials that do."""
+    easy: KindCounts
+    difficult: KindCounts
     switch: int
     """Sets of pretraining."""
 
@@ -85,18 +106,11 @@ class RunCounts:
     def of(cls, population: Population) -> Self:
         """Count; trials that don't fill a last set are left out."""
         is_easy = easy(population.lid, population.scenario.dominant)
-        used = [population.strategy == strategy for strategy in Strategy]
-        grip = first_grip(population.lid, population.first_hand)
-        began = [grip == kind for kind in Grip]
         return cls(
             actions=_sums(population.n_actions),
-            easy_actions=_sums(population.n_actions * is_easy),
-            difficult_actions=_sums(population.n_actions * ~is_easy),
             unsolved=_sums(~population.solved),
-            easy=_counts([was & is_easy for was in used]),
-            difficult=_counts([was & ~is_easy for was in used]),
-            easy_grips=_counts([was & is_easy for was in began]),
-            difficult_grips=_counts([was & ~is_easy for was in began]),
+            easy=KindCounts.of(population, is_easy),
+            difficult=KindCounts.of(population, ~is_easy),
             switch=population.scenario.pretrain // BLOCK,
         )
 
@@ -109,13 +123,9 @@ class RunCounts:
         trials = BLOCK * times.sum(axis=1, keepdims=True)
         return Curves(
             times @ self.actions / trials,
-            ratio(times @ self.easy_actions, times @ self.easy.sum(axis=1)),
-            ratio(times @ self.difficult_actions, times @ self.difficult.sum(axis=1)),
             times @ self.unsolved / trials,
-            _shares(times, self.easy),
-            _shares(times, self.difficult),
-            _shares(times, self.easy_grips),
-            _shares(times, self.difficult_grips),
+            self.easy.drawn(times),
+            self.difficult.drawn(times),
             self.switch,
         )
 

@@ -71,8 +71,8 @@ def difficult_part_of_rise(pair: Pair) -> Floats:
         actions[:, after]
         for actions in (
             pair.dominant.actions,
-            pair.dominant.easy_actions,
-            pair.dominant.difficult_actions,
+            pair.dominant.easy.actions,
+            pair.dominant.difficult.actions,
         )
     )
     # Mean trials lie between easy and difficult ones, whichever take more actions.
@@ -90,7 +90,7 @@ def difficult_part_of_rise(pair: Pair) -> Floats:
 )
 def easy_rise_at_once(pair: Pair) -> Floats:
     """(b,) [actions]."""
-    return pair.dominant.easy_actions[:, pair.dominant.switch] - _actions_before(pair)
+    return pair.dominant.easy.actions[:, pair.dominant.switch] - _actions_before(pair)
 
 
 @measure(
@@ -101,18 +101,18 @@ def easy_rise_at_once(pair: Pair) -> Floats:
 )
 def easy_rise_at_most(pair: Pair) -> Floats:
     """(b,) [actions]."""
-    after = pair.dominant.easy_actions[:, pair.dominant.switch :]
+    after = pair.dominant.easy.actions[:, pair.dominant.switch :]
     return np.fmax.reduce(moving_means(after), axis=1) - _actions_before(pair)
 
 
 def _actions_before(pair: Pair) -> Floats:
     """Mean actions (b,) in the last hundred trials of the pretraining, all easy."""
-    actions = pair.dominant.easy_actions[:, : pair.dominant.switch]
+    actions = pair.dominant.easy.actions[:, : pair.dominant.switch]
     return mean_of_sets(actions[:, -LONG:])
 
 
 def _optimal(pair: Pair) -> Floats:
-    return pair.dominant.easy[:, Strategy.OPTIMAL]
+    return pair.dominant.easy.strategies[:, Strategy.OPTIMAL]
 
 
 def _optimal_after(pair: Pair) -> Floats:

@@ -79,7 +79,7 @@ def stages(sample: Sample) -> Stages:
 
 def _height(mean: Curves) -> int:
     """First of the sets between beginning and end with most corrections."""
-    shares = np.nan_to_num(mean.difficult[0])
+    shares = np.nan_to_num(mean.difficult.strategies[0])
     corrections = shares[Strategy.EARLY] + shares[Strategy.LATE]
     sums = np.convolve(corrections, np.ones(LONG), mode="valid")
     first, end = mean.switch + LONG, len(corrections) - 2 * LONG + 1
@@ -100,10 +100,10 @@ def _shares(curves: Curves, start: int, end: int) -> Shares:
     grips, easy_grips, easy, difficult = (
         mean_of_sets(shares[:, :, start:end])
         for shares in (
-            curves.difficult_grips,
-            curves.easy_grips,
-            curves.easy,
-            curves.difficult,
+            curves.difficult.grips,
+            curves.easy.grips,
+            curves.easy.strategies,
+            curves.difficult.strategies,
         )
     )
     early, late = difficult[:, Strategy.EARLY], difficult[:, Strategy.LATE]
