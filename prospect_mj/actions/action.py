@@ -52,6 +52,17 @@ class ControllerRun:
 
 
 @dataclass(frozen=True)
+class PlanOutcome:
+    """What a plan did that was run to its end."""
+
+    result: ActionResult
+    sim_seconds: float
+    """Simulated time that it took [s]."""
+    runs: tuple[ControllerRun, ...] = field(default=())
+    """The controllers it ran, in order."""
+
+
+@dataclass(frozen=True)
 class ActionOutcome:
     """What an action did."""
 

@@ -9,6 +9,7 @@ from prospect_mj.actions.action import (
     ActionOutcome,
     ActionResult,
     ControllerRun,
+    PlanOutcome,
 )
 from prospect_mj.actions.belief import Belief
 from prospect_mj.actions.grasp import grasp
@@ -40,7 +41,7 @@ _PLANS: dict[Action, tuple[Callable[[Robot, Side], Plan], Side]] = {
 
 
 class ActionRunner:
-    """Executes the six actions on a simulation.
+    """Executes plans on a simulation, first of all the six actions.
 
     Args:
         simulation: the live physics.
@@ -86,13 +87,23 @@ class ActionRunner:
             yaw = float(np.arctan2(-x, y))
             self.twin.place_pedestal(belief.cradle.position, yaw)
 
+    @property
+    def robot(self) -> Robot:
+        """What a plan is written over, with what the robot believes at present."""
+        return Robot(self.arms, self.belief, self._workspace)
+
     def execute(self, action: Action) -> ActionOutcome:
         """Run an action to its end; whether it may run is the supervisor's affair.
 
         What comes of it follows from the simulation's saved state and the belief alone.
         """
         write, side = _PLANS[action]
-        plan = write(Robot(self.arms, self.belief, self._workspace), side)
+        done = self.follow(write(self.robot, side))
+        moved = done.result is not ActionResult.NOT_SEEN
+        return ActionOutcome(action, moved, done.result, done.sim_seconds, done.runs)
+
+    def follow(self, plan: Plan) -> PlanOutcome:
+        """Run a plan to its end, one of the six actions or any other."""
         start = self._simulation.data.time
         self._simulation.refresh()
         runs: list[ControllerRun] = []
@@ -102,8 +113,7 @@ class ActionRunner:
                 controllers = next(plan)
             except StopIteration as end:
                 seconds = float(self._simulation.data.time - start)
-                moved = end.value is not ActionResult.NOT_SEEN
-                return ActionOutcome(action, moved, end.value, seconds, tuple(runs))
+                return PlanOutcome(end.value, seconds, tuple(runs))
             self._run(controllers)
             runs += [_record(controller) for controller in controllers]
 

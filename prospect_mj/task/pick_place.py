@@ -5,8 +5,14 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from prospect_mj.actions.action import Action, ActionOutcome, ActionResult
+from prospect_mj.actions.action import (
+    Action,
+    ActionOutcome,
+    ActionResult,
+    PlanOutcome,
+)
 from prospect_mj.actions.belief import Belief, SeenJar
+from prospect_mj.actions.plan import Plan
 from prospect_mj.actions.runner import ActionRunner
 from prospect_mj.actions.workspace import workspace
 from prospect_mj.checks import check_choice
@@ -164,6 +170,18 @@ class PickPlaceTask(Closing):
         else:
             outcome = ActionOutcome(action, False, ActionResult.NOT_ALLOWED, 0.0)
         self.monitor.follow(action, outcome.result, self._observe())
+        return outcome
+
+    def follow(self, plan: Plan) -> PlanOutcome:
+        """Run a plan that is none of the six actions, written over `runner.robot`.
+
+        The supervisor's model doesn't know it, so that nothing is foreseen of it.
+
+        Raises:
+            InvalidValue: if it leaves predicates that no trial gets to.
+        """
+        outcome = self.runner.follow(plan)
+        self.monitor.resume(self._observe())
         return outcome
 
     def save(self) -> TrialState:
