@@ -66,19 +66,19 @@ def _replay(options: ReplayOptions) -> None:
     gl.require_gl()
     # MuJoCo is not loaded before it is known that it can render.
     from prospect_mj.experiment.replayed import chosen, replayed
-    from prospect_mj.experiment.run_folder import RunFolder
+    from prospect_mj.experiment.run_view import RunView
     from prospect_mj.replay.rerun_export import export
 
-    with RunFolder.open(options.run) as folder:
-        trials = chosen(folder, options.trial, options.worst, options.failures)
-        with tempfile.TemporaryDirectory(prefix="prospect-replay-") as place:
-            files = _files(options, trials, Path(place))
-            for one, path in zip(replayed(folder, trials, _say), files, strict=True):
-                export(one.episode, one.story, path)
-            if options.save is None:
-                _show(files, options.serve)
-            else:
-                print("\n".join(map(str, files)))
+    run = RunView.read(options.run)
+    trials = chosen(run, options.trial, options.worst, options.failures)
+    with tempfile.TemporaryDirectory(prefix="prospect-replay-") as place:
+        files = _files(options, trials, Path(place))
+        for one, path in zip(replayed(run, trials, _say), files, strict=True):
+            export(one.episode, one.story, path)
+        if options.save is None:
+            _show(files, options.serve)
+        else:
+            print("\n".join(map(str, files)))
 
 
 def _files(options: ReplayOptions, trials: Sequence[int], place: Path) -> list[Path]:

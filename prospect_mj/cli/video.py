@@ -4,16 +4,13 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import tyro
 
 from prospect_mj.cli import command_line
 from prospect_mj.errors import InvalidValue
 from prospect_mj.sim import gl
-
-if TYPE_CHECKING:
-    pass
 
 
 @dataclass(frozen=True)
@@ -65,12 +62,12 @@ def _film(options: VideoOptions) -> None:
     gl.require_gl()
     # MuJoCo is not loaded before it is known that it can render.
     from prospect_mj.experiment.replayed import chosen, replayed
-    from prospect_mj.experiment.run_folder import RunFolder
+    from prospect_mj.experiment.run_view import RunView
     from prospect_mj.replay.video import VideoSettings, film
 
     look = VideoSettings(options.width, options.height, captions=options.captions)
-    with RunFolder.open(options.run) as folder:
-        trials = chosen(folder, options.trial, worst=False, failures=False)
-        (one,) = replayed(folder, trials, lambda words: print(words, file=sys.stderr))
-        film(one.episode, options.out, look)
+    run = RunView.read(options.run)
+    trials = chosen(run, options.trial, worst=False, failures=False)
+    (one,) = replayed(run, trials, lambda words: print(words, file=sys.stderr))
+    film(one.episode, options.out, look)
     print(options.out)

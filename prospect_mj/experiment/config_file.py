@@ -85,6 +85,20 @@ def read_stored(path: Path) -> StoredConfig:
     return stored
 
 
+def differences(stored: StoredConfig, config: TrainConfig) -> list[str]:
+    """What decides the numbers of a run and is not as it was then.
+
+    Raises:
+        ProspectError: if something that decides them is missing.
+    """
+    installed = provenance.installed_versions(PACKAGES)
+    now = fingerprint.digests(config)
+    return [
+        *(p for p, version in installed.items() if stored.versions.get(p) != version),
+        *(name for name, digest in now.items() if stored.sha256.get(name) != digest),
+    ]
+
+
 def _check_versions(path: Path, stored: Mapping[str, str]) -> None:
     for package, installed in provenance.installed_versions(PACKAGES).items():
         if stored.get(package) != installed:

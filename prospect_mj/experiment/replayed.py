@@ -4,14 +4,13 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
-import pyarrow.compute as pc
 
 from prospect_mj.episodes import episode_file
 from prospect_mj.episodes.episode import Episode
-from prospect_mj.errors import InvalidValue, RunFolderError
+from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.kept_episodes import kept_trials, path_of
 from prospect_mj.experiment.resimulate import resimulate
-from prospect_mj.experiment.run_folder import RunFolder
+from prospect_mj.experiment.run_view import RunView
 from prospect_mj.replay.rerun_export import Decision, Story
 
 Say = Callable[[str], None]
@@ -26,13 +25,11 @@ class Replayed:
     story: Story
 
 
-def chosen(
-    folder: RunFolder, trial: int | None, worst: bool, failures: bool
-) -> list[int]:
+def chosen(run: RunView, trial: int | None, worst: bool, failures: bool) -> list[int]:
     """Numbers of the trials that are to be replayed.
 
     Args:
-        folder: the run.
+        run: the run.
         trial: one of its trials; None: see the others.
         worst: the one with most actions, and of several the last.
         failures: all that were kept and not solved. Without any of the three: the last
@@ -40,33 +37,30 @@ def chosen(
 
     Raises:
         InvalidValue: if there is no such trial.
-        RunFolderError: if the run has no trial yet.
     """
-    if folder.n_trials == 0:
-        raise RunFolderError(f"{folder.path} has no finished trial yet")
     if trial is not None:
-        if not 0 <= trial < folder.n_trials:
-            expected = f"0 to {folder.n_trials - 1}, as the run has come so far"
+        if not 0 <= trial < run.n_trials:
+            expected = f"0 to {run.n_trials - 1}, as the run has come so far"
             raise InvalidValue("--trial", trial, expected)
         return [trial]
-    kept = [number for number in kept_trials(folder.path) if number < folder.n_trials]
+    kept = [number for number in kept_trials(run.path) if number < run.n_trials]
     if worst:
-        n_actions = folder.trials["n_actions"].to_numpy()
+        n_actions = run.trials["n_actions"].to_numpy()
         return [int(np.flatnonzero(n_actions == n_actions.max())[-1])]
     if failures:
-        solved = folder.trials["solved"].to_pylist()
+        solved = run.trials["solved"].to_pylist()
         unsolved = [number for number in kept if not solved[number]]
         if not unsolved:
             raise InvalidValue("--failures", 0, "a run that kept unsolved trials")
         return unsolved
-    return [kept[-1] if kept else folder.n_trials - 1]
+    return [kept[-1] if kept else run.n_trials - 1]
 
 
-def replayed(folder: RunFolder, trials: list[int], say: Say) -> Iterator[Replayed]:
+def replayed(run: RunView, trials: list[int], say: Say) -> Iterator[Replayed]:
     """Read the episodes, or simulate again those that were not kept.
 
     Args:
-        folder: the run.
+        run: the run.
         trials: their numbers.
         say: told what takes some seconds.
 
@@ -75,15 +69,14 @@ def replayed(folder: RunFolder, trials: list[int], say: Say) -> Iterator[Replaye
         RunFolderError: if one can't be simulated again.
     """
     for number in trials:
-        of_it = pc.equal(folder.actions["trial"], number)
-        rows = folder.actions.filter(of_it).to_pylist()
-        path = path_of(folder.path, number)
+        rows = run.actions_of(number).to_pylist()
+        path = path_of(run.path, number)
         if path.exists():
-            episode = episode_file.read(path, folder.origin)
+            episode = episode_file.read(path, run.origin)
         else:
             say(f"trial {number} was not kept: it is simulated again")
-            trial = folder.trials.slice(number, 1).to_pylist()[0]
-            episode = resimulate(folder.path, folder.config, trial, rows)
+            trial = run.trials.slice(number, 1).to_pylist()[0]
+            episode = resimulate(run.path, run.config, trial, rows)
         decisions = [Decision(np.array(r["q_values"]), r["explored"]) for r in rows]
-        title = f"{folder.path.name}, trial {number}"
+        title = f"{run.path.name}, trial {number}"
         yield Replayed(number, episode, Story(title, decisions))

@@ -13,19 +13,12 @@ comes before all others, so that a kill at any moment leaves nothing or a run th
 be resumed. All of them but the picture carry the digest of the run.
 """
 
-from collections.abc import Callable
-from functools import partial
 from pathlib import Path
-from typing import Self, TypeVar
-
-import numpy as np
-import pyarrow as pa
-from pyarrow.lib import ArrowException
+from typing import Self
 
 from prospect_mj import tables
-from prospect_mj.agent import LinearQ
-from prospect_mj.errors import ForeignTable, ProspectError, RunFolderError
-from prospect_mj.experiment import config_file, fingerprint, folder_guard
+from prospect_mj.errors import RunFolderError
+from prospect_mj.experiment import config_file, fingerprint, folder_guard, run_files
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.records import (
     ACTION_SCHEMA,
@@ -33,17 +26,10 @@ from prospect_mj.experiment.records import (
     action_table,
     trial_table,
 )
+from prospect_mj.experiment.run_files import ACTIONS, CONFIG, CURVE, TRIALS, WEIGHTS
 from prospect_mj.experiment.training import FinishedTrial, new_learner
 from prospect_mj.locking import LockedFolder
 from prospect_mj.storage import replace_file
-
-CONFIG = config_file.NAME
-ACTIONS = "actions.parquet"
-TRIALS = "trials.parquet"
-WEIGHTS = "weights.npz"
-CURVE = "learning_curve.png"
-
-_Content = TypeVar("_Content")
 
 
 class RunFolder(LockedFolder):
@@ -140,43 +126,14 @@ class RunFolder(LockedFolder):
         self.learner.save(self.path / WEIGHTS)
 
     def _read_state(self) -> None:
-        if self._was_killed_at_birth():
+        state = run_files.read_state(self.path, self.origin)
+        if state is None:
             return
-        self.learner = _read(self.path / WEIGHTS, LinearQ.load)
-        if self.learner.origin != self.origin:
-            raise RunFolderError(f"{self.path / WEIGHTS} is from another run")
-        actions = self._read_table(ACTIONS, ACTION_SCHEMA)
-        trials = self._read_table(TRIALS, TRIAL_SCHEMA)
-        self.actions = actions.slice(0, self.learner.n_updates)
-        n_trials = np.unique(self.actions["trial"].to_numpy()).size
-        self.trials = trials.slice(0, n_trials)
-        self._check_state()
-
-    def _was_killed_at_birth(self) -> bool:
-        """Whether the files of the state were not all written for the first time."""
-        if (self.path / WEIGHTS).exists():
-            return False
-        schemas = {ACTIONS: ACTION_SCHEMA, TRIALS: TRIAL_SCHEMA}
-        there = [name for name in schemas if (self.path / name).exists()]
-        rows = [self._read_table(name, schemas[name]).num_rows for name in there]
-        return not any(rows)
-
-    def _read_table(self, name: str, schema: pa.Schema) -> pa.Table:
-        reader = partial(tables.read, schema=schema, origin=self.origin, of="run")
-        return _read(self.path / name, reader)
-
-    def _check_state(self) -> None:
-        """The three files must tell of the same trials."""
-        n_actions = self.trials["n_actions"].to_numpy().sum()
-        numbers = self.trials["trial"].to_pylist()
-        if (
-            self.actions.num_rows != self.learner.n_updates
-            or n_actions != self.learner.n_updates
-            or numbers != list(range(len(numbers)))
-            or len(numbers) > self.config.trials
-        ):
+        self.learner, self.actions, self.trials = state
+        if self.n_trials > self.config.trials:
             raise RunFolderError(
-                f"{self.path} is damaged: its tables and weights don't fit together"
+                f"{self.path} is damaged: {self.n_trials} trials and a configuration "
+                f"of {self.config.trials} don't fit together"
             )
 
 
@@ -186,23 +143,9 @@ def read_config(path: Path) -> TrainConfig:
     Raises:
         RunFolderError: if `path` is no run folder or its configuration is unreadable.
     """
-    if not (path / CONFIG).is_file():
-        raise RunFolderError(f"{path} is not a run folder: it has no {CONFIG}")
-    return config_file.read(path / CONFIG)
+    return config_file.read(run_files.checked_config(path))
 
 
 def _not_writable(path: Path | None, error: OSError) -> RunFolderError:
     where = folder_guard.DEFAULT_PARENT if path is None else path
     return RunFolderError(f"{where} can't be written: {error.strerror}")
-
-
-def _read(path: Path, reader: Callable[[Path], _Content]) -> _Content:
-    """Read one file of a run, or say which one can't be read."""
-    try:
-        return reader(path)
-    except RunFolderError:
-        raise
-    except ForeignTable as error:
-        raise RunFolderError(str(error)) from error
-    except (OSError, ArrowException, ProspectError) as error:
-        raise RunFolderError(f"{path} can't be read: missing or damaged") from error

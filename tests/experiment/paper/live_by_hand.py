@@ -3,7 +3,7 @@
 from prospect_mj.experiment import config_file, fingerprint
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.records import TrialRecord, trial_table
-from prospect_mj.experiment.run_folder import CONFIG, TRIALS
+from prospect_mj.experiment.run_files import CONFIG, TRIALS
 from prospect_mj.tables import parquet
 
 

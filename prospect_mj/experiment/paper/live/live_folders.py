@@ -21,7 +21,7 @@ from prospect_mj.experiment import config_file, fingerprint
 from prospect_mj.experiment.config_file import StoredConfig
 from prospect_mj.experiment.paper.populations.scenario import PopulationSettings
 from prospect_mj.experiment.records import TRIAL_SCHEMA
-from prospect_mj.experiment.run_folder import CONFIG, TRIALS
+from prospect_mj.experiment.run_files import CONFIG, TRIALS
 from prospect_mj.recording.key import RecordingKey
 
 _LEARNING = (

@@ -22,7 +22,8 @@ from prospect_mj.experiment import session
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.environment import MakeEnvironment, make_environment
 from prospect_mj.experiment.paper.live.live_check import EXPECTED
-from prospect_mj.experiment.run_folder import CONFIG, read_config
+from prospect_mj.experiment.run_files import CONFIG
+from prospect_mj.experiment.run_folder import read_config
 from prospect_mj.recording.workers import Workers
 from prospect_mj.storage import make_folder
 
