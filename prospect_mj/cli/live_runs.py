@@ -38,14 +38,18 @@ class LiveOptions:
         Workers(self.jobs)
 
 
-def main(argv: Sequence[str] | None = None) -> int:
+def main(argv: Sequence[str] | None = None, prog: str = "live_runs.py") -> int:
     """Make the runs as the command line says.
+
+    Args:
+        argv: the arguments; None for those of the process.
+        prog: the name in its help.
 
     Returns:
         The exit code; see `command_line.run`.
     """
     words = "interrupted: finished trials are kept"
-    return command_line.main(_make, LiveOptions(), "live_runs.py", argv, words)
+    return command_line.main(_make, LiveOptions(), prog, argv, words)
 
 
 def _make(options: LiveOptions) -> None:

@@ -43,14 +43,18 @@ class RecordOptions:
     """Who does the work."""
 
 
-def main(argv: Sequence[str] | None = None) -> int:
+def main(argv: Sequence[str] | None = None, prog: str = "record.py") -> int:
     """Record as the command line says.
+
+    Args:
+        argv: the arguments; None for those of the process.
+        prog: the name in its help.
 
     Returns:
         The exit code; see `command_line.run`.
     """
     words = "interrupted: what was recorded is kept"
-    return command_line.main(_record, RecordOptions(), "record.py", argv, words)
+    return command_line.main(_record, RecordOptions(), prog, argv, words)
 
 
 def _record(options: RecordOptions) -> None:

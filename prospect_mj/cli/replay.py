@@ -48,13 +48,17 @@ class ReplayOptions:
             raise InvalidValue("--serve", True, "none beside --save")
 
 
-def main(argv: Sequence[str] | None = None) -> int:
+def main(argv: Sequence[str] | None = None, prog: str = "replay.py") -> int:
     """Replay what the command line asks for.
+
+    Args:
+        argv: the arguments; None for those of the process.
+        prog: the name in its help.
 
     Returns:
         The exit code; see `command_line.run`.
     """
-    return command_line.main(_replay, ReplayOptions(), "replay.py", argv)
+    return command_line.main(_replay, ReplayOptions(), prog, argv)
 
 
 def _replay(options: ReplayOptions) -> None:

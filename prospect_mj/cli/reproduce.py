@@ -41,16 +41,18 @@ class ReproduceOptions:
         check_integer("jobs", self.jobs, 1, MOST_JOBS)
 
 
-def main(argv: Sequence[str] | None = None) -> int:
+def main(argv: Sequence[str] | None = None, prog: str = "reproduce.py") -> int:
     """Reproduce as the command line says.
+
+    Args:
+        argv: the arguments; None for those of the process.
+        prog: the name in its help.
 
     Returns:
         The exit code; see `command_line.run`.
     """
     words = "interrupted: finished populations are kept"
-    return command_line.main(
-        _reproduce, ReproduceOptions(), "reproduce.py", argv, words
-    )
+    return command_line.main(_reproduce, ReproduceOptions(), prog, argv, words)
 
 
 def _reproduce(options: ReproduceOptions) -> None:

@@ -35,13 +35,17 @@ class StudyOptions:
             raise InvalidValue("seed", self.seed, "0 or more")
 
 
-def main(argv: Sequence[str] | None = None) -> int:
+def main(argv: Sequence[str] | None = None, prog: str = "skill_study.py") -> int:
     """Run the study as the command line says, and print its tables.
+
+    Args:
+        argv: the arguments; None for those of the process.
+        prog: the name in its help.
 
     Returns:
         The exit code; see `command_line.run`.
     """
-    return command_line.main(_study, StudyOptions(), "skill_study.py", argv)
+    return command_line.main(_study, StudyOptions(), prog, argv)
 
 
 def _study(options: StudyOptions) -> None:

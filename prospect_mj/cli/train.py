@@ -38,12 +38,15 @@ class TrainOptions:
 
 
 def main(
-    argv: Sequence[str] | None = None, make_env: MakeEnvironment = make_environment
+    argv: Sequence[str] | None = None,
+    prog: str = "train.py",
+    make_env: MakeEnvironment = make_environment,
 ) -> int:
     """Train as the command line says.
 
     Args:
         argv: the arguments; None for those of the process.
+        prog: the name in its help.
         make_env: makes the environment.
 
     Returns:
@@ -51,13 +54,13 @@ def main(
     """
     arguments = sys.argv[1:] if argv is None else argv
     return command_line.run(
-        lambda: _train(arguments, make_env),
+        lambda: _train(arguments, prog, make_env),
         interrupted="interrupted: all finished trials are kept",
     )
 
 
-def _train(argv: Sequence[str], make_env: MakeEnvironment) -> None:
-    options = _parse(argv, TrainOptions())
+def _train(argv: Sequence[str], prog: str, make_env: MakeEnvironment) -> None:
+    options = _parse(argv, prog, TrainOptions())
     kept = None if options.record is None else Kept.parse(options.record)
     if kept is not None and options.config.physics != "live":
         raise InvalidValue("--record", options.record, "none on recorded physics")
@@ -68,15 +71,15 @@ def _train(argv: Sequence[str], make_env: MakeEnvironment) -> None:
             raise InvalidValue("--out", str(options.out), "none beside --resume")
         # Options that are not given keep the stored run's values.
         stored = replace(options, config=read_config(options.resume))
-        config = _parse(argv, stored).config
+        config = _parse(argv, prog, stored).config
         summary = session.resume(options.resume, config, make_env, kept=kept)
     if summary is not None:
         print(summary)
 
 
-def _parse(argv: Sequence[str], default: TrainOptions) -> TrainOptions:
+def _parse(argv: Sequence[str], prog: str, default: TrainOptions) -> TrainOptions:
     return command_line.parse(
-        TrainOptions, argv, default=default, prog="train.py", registry=_REGISTRY
+        TrainOptions, argv, default=default, prog=prog, registry=_REGISTRY
     )
 
 

@@ -49,13 +49,17 @@ def check_new_video(what: str, path: Path) -> None:
         raise InvalidValue(what, str(path), "a file in a folder that exists")
 
 
-def main(argv: Sequence[str] | None = None) -> int:
+def main(argv: Sequence[str] | None = None, prog: str = "video.py") -> int:
     """Film what the command line asks for.
+
+    Args:
+        argv: the arguments; None for those of the process.
+        prog: the name in its help.
 
     Returns:
         The exit code; see `command_line.run`.
     """
-    return command_line.main(_film, VideoOptions(), "video.py", argv)
+    return command_line.main(_film, VideoOptions(), prog, argv)
 
 
 def _film(options: VideoOptions) -> None:

@@ -48,13 +48,17 @@ def _check_video(path: Path) -> None:
         raise InvalidValue("--video", str(path), "a file in a folder that exists")
 
 
-def main(argv: Sequence[str] | None = None) -> int:
+def main(argv: Sequence[str] | None = None, prog: str = "watch.py") -> int:
     """Show what the command line asks for.
+
+    Args:
+        argv: the arguments; None for those of the process.
+        prog: the name in its help.
 
     Returns:
         The exit code; see `command_line.run`.
     """
-    return command_line.main(_watch, WatchOptions(), "watch.py", argv)
+    return command_line.main(_watch, WatchOptions(), prog, argv)
 
 
 def _watch(options: WatchOptions) -> None:

@@ -98,7 +98,7 @@ def test_choices_are_those_of_the_task():
 def test_configuration_is_read_without_the_physics():
     """What the choices are written twice for."""
     code = (
-        "import sys, prospect_mj.cli.train as t; t.main(['--trials', '0'], None); "
+        "import sys, prospect_mj.cli.train as t; t.main(['--trials', '0']); "
         "assert 'mujoco' not in sys.modules"
     )
     subprocess.run([sys.executable, "-c", code], check=True)

@@ -93,7 +93,7 @@ BAD = {
 @pytest.mark.parametrize(("options", "named"), BAD.items(), ids=BAD.keys())
 def test_bad_input_is_one_line_and_changes_nothing(options, named, existing, capsys):
     before = tree(existing)
-    assert train.main(options.split(), IdealEnv) == 2
+    assert train.main(options.split(), make_env=IdealEnv) == 2
     said = capsys.readouterr()
     assert said.out == ""
     assert said.err.startswith("error: ")
@@ -118,7 +118,7 @@ def test_edited_configuration_is_one_line_and_changes_nothing(
     path = existing / "run" / "config.yaml"
     path.write_text(path.read_text().replace(old, new))
     before = tree(existing)
-    assert train.main(options.split(), IdealEnv) == 2
+    assert train.main(options.split(), make_env=IdealEnv) == 2
     said = capsys.readouterr()
     assert said.err.startswith("error: run/config.yaml: its settings were edited")
     assert said.err.count("\n") == 1
@@ -126,11 +126,14 @@ def test_edited_configuration_is_one_line_and_changes_nothing(
 
 
 def test_weights_of_another_run_are_one_line_and_change_nothing(existing, capsys):
-    assert train.main(["--trials", "3", "--seed", "2", "--out", "b"], IdealEnv) == 0
+    assert (
+        train.main(["--trials", "3", "--seed", "2", "--out", "b"], make_env=IdealEnv)
+        == 0
+    )
     shutil.copy(existing / "b" / "weights.npz", existing / "run")
     before = tree(existing)
     capsys.readouterr()
-    assert train.main(["--resume", "run", "--trials", "5"], IdealEnv) == 2
+    assert train.main(["--resume", "run", "--trials", "5"], make_env=IdealEnv) == 2
     assert capsys.readouterr().err == "error: run/weights.npz is from another run\n"
     assert tree(existing) == before
 
@@ -143,8 +146,8 @@ def test_broken_installation_is_one_line_and_no_folder(failure, tmp_path, capsys
     def make_env(config):
         raise failure
 
-    assert train.main(["--out", "new/run"], make_env) == 2
-    assert train.main([], make_env) == 2
+    assert train.main(["--out", "new/run"], make_env=make_env) == 2
+    assert train.main([], make_env=make_env) == 2
     assert capsys.readouterr().err == f"error: {failure}\n" * 2
     assert not tree(tmp_path)
 
@@ -154,12 +157,12 @@ def test_broken_installation_does_not_touch_a_run(existing, capsys):
         raise RenderingUnavailable("no OpenGL")
 
     before = tree(existing)
-    assert train.main(["--resume", "run", "--trials", "5"], make_env) == 2
+    assert train.main(["--resume", "run", "--trials", "5"], make_env=make_env) == 2
     assert tree(existing) == before
 
 
 def test_training_sums_up(existing, capsys):
-    assert train.main(["--trials", "2"], IdealEnv) == 0
+    assert train.main(["--trials", "2"], make_env=IdealEnv) == 0
     said = capsys.readouterr()
     assert "mean actions" in said.out
     assert "runs/train-0001" in said.out
@@ -167,21 +170,21 @@ def test_training_sums_up(existing, capsys):
 
 
 def test_resume_takes_the_stored_options(existing, capsys):
-    assert train.main(["--resume", "run", "--trials", "5"], IdealEnv) == 0
+    assert train.main(["--resume", "run", "--trials", "5"], make_env=IdealEnv) == 0
     whole = ["--trials", "5", "--seed", "1", "--out", "whole"]
-    assert train.main(whole, IdealEnv) == 0
+    assert train.main(whole, make_env=IdealEnv) == 0
     run, whole = tree(existing / "run"), tree(existing / "whole")
     assert list(run.values()) == list(whole.values())
 
 
 def test_options_equal_to_the_stored_ones_are_no_contradiction(existing):
     again = ["--resume", "run", "--trials", "4", "--seed", "1", "--supervisor", "none"]
-    assert train.main(again, IdealEnv) == 0
+    assert train.main(again, make_env=IdealEnv) == 0
 
 
 def test_resume_of_a_finished_run_says_so(existing, capsys):
     before = tree(existing)
-    assert train.main(["--resume", "run"], IdealEnv) == 0
+    assert train.main(["--resume", "run"], make_env=IdealEnv) == 0
     assert "finished" in capsys.readouterr().out
     assert tree(existing) == before
 
@@ -197,10 +200,10 @@ def test_interrupted_run_can_be_resumed(tmp_path, capsys):
             return super().step(action)
 
     options = ["--trials", "10", "--seed", "3", "--out"]
-    assert train.main([*options, "cut"], Interrupted) == 130
+    assert train.main([*options, "cut"], make_env=Interrupted) == 130
     assert "kept" in capsys.readouterr().err
-    assert train.main(["--resume", "cut"], IdealEnv) == 0
-    assert train.main([*options, "whole"], IdealEnv) == 0
+    assert train.main(["--resume", "cut"], make_env=IdealEnv) == 0
+    assert train.main([*options, "whole"], make_env=IdealEnv) == 0
     cut, whole = tree(tmp_path / "cut"), tree(tmp_path / "whole")
     assert list(cut.values()) == list(whole.values())
 
@@ -209,12 +212,15 @@ def test_a_shaped_run_goes_on_bit_identically(tmp_path):
     """Stopped before its schedule is lifted, it is lifted at the same trial."""
     shaping = ["--supervisor", "safe", "--shaping", "grasp-left:5", "insert-right:7"]
     options = ["--seed", "3", *shaping, "--out"]
-    assert train.main(["--trials", "4", *options, "cut"], IdealEnv) == 0
-    assert train.main(["--trials", "10", *options, "whole"], IdealEnv) == 0
+    assert train.main(["--trials", "4", *options, "cut"], make_env=IdealEnv) == 0
+    assert train.main(["--trials", "10", *options, "whole"], make_env=IdealEnv) == 0
     assert (
-        train.main(["--trials", "10", "--seed", "3", "--out", "plain"], IdealEnv) == 0
+        train.main(
+            ["--trials", "10", "--seed", "3", "--out", "plain"], make_env=IdealEnv
+        )
+        == 0
     )
-    assert train.main(["--resume", "cut", "--trials", "10"], IdealEnv) == 0
+    assert train.main(["--resume", "cut", "--trials", "10"], make_env=IdealEnv) == 0
     cut, whole = tree(tmp_path / "cut"), tree(tmp_path / "whole")
     assert list(cut.values()) == list(whole.values())
     plain = tree(tmp_path / "plain")
@@ -226,7 +232,7 @@ def test_an_unforeseen_event_is_one_line_and_no_fault_of_the_input(tmp_path, cap
         def step(self, action):
             raise UnforeseenEvent("jammed: left holds", "grasp-left from here")
 
-    assert train.main(["--out", "run"], Surprising) == 1
+    assert train.main(["--out", "run"], make_env=Surprising) == 1
     said = capsys.readouterr().err
     assert said == (
         "error: unforeseen event: jammed: left holds; it can't happen in: "
@@ -247,7 +253,7 @@ def test_every_option_of_the_issue_reaches_the_run(tmp_path):
         --learner.discount 0.9 --features.reading one_hot
         --features.normalisation max_bin --features.energy 3
         --shaping swap-left-to-right:200 swap-right-to-left:100"""
-    assert train.main(options.split(), make_env) == 0
+    assert train.main(options.split(), make_env=make_env) == 0
     (config,) = configs
     assert (config.trials, config.pretrain, config.dominant) == (2, 1, "left")
     assert (config.supervisor, config.object_pose) == ("safe", "truth")
