@@ -12,6 +12,7 @@ import pytest  # noqa: E402
 from prospect_mj.errors import RenderingUnavailable  # noqa: E402
 
 NO_GL = "needs OpenGL"
+NO_VULKAN = "needs Vulkan"
 
 
 @functools.cache
@@ -34,9 +35,13 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Say in red how many tests went unrun for want of OpenGL, and the remedy."""
+    """Say in red how many tests went unrun for want of a driver, and the remedy."""
     skipped = terminalreporter.stats.get("skipped", [])
-    reasons = [r.longrepr[2] for r in skipped if NO_GL in str(r.longrepr)]
+    reasons = [
+        report.longrepr[2]
+        for report in skipped
+        if any(words in str(report.longrepr) for words in (NO_GL, NO_VULKAN))
+    ]
     if reasons:
         terminalreporter.section("RENDERING WAS NOT TESTED", red=True, bold=True)
         terminalreporter.line(f"{len(reasons)} tests skipped: {reasons[0]}", red=True)

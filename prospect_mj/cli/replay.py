@@ -1,7 +1,5 @@
 """The command line for replaying the trials of a run in Rerun."""
 
-import os
-import subprocess
 import sys
 import tempfile
 from collections.abc import Sequence
@@ -10,42 +8,54 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
+from tqdm import tqdm
 
 from prospect_mj.cli import command_line
-from prospect_mj.errors import InvalidValue
+from prospect_mj.cli.new_file import check_new_file
+from prospect_mj.display import require_display
+from prospect_mj.errors import InvalidValue, ProspectError
 from prospect_mj.sim import gl
+from prospect_mj.storage import make_folder
+
+_SUFFIX = ".rrd"
 
 
 @dataclass(frozen=True)
 class ReplayOptions:
-    """Replay trials of a run in Rerun's viewer, or write them for it.
+    """Replay trials of a run or of an evaluation in Rerun's viewer.
 
-    Trials that --record of train.py kept are read; any other one is simulated again,
-    which takes some seconds.
+    Trials that --record of train kept are read; any other one is simulated again, which
+    takes some seconds, also one of recorded physics.
     """
 
     run: Annotated[Path, tyro.conf.Positional] = Path()
-    """The run's folder."""
+    """The run's folder, or the file of one episode, NAME.npz."""
     trial: int | None = None
-    """Number of the trial, from 0. Default: the last one that was kept."""
+    """Number of the trial, from 0. Default: the last one that was kept, or the last."""
     worst: bool = False
     """The trial with most actions."""
     failures: bool = False
-    """All trials that were kept and not solved."""
+    """All trials that were kept and not solved; if none was kept, the last ten that
+    were not solved."""
     save: Path | None = None
-    """File to write in place of opening the viewer, NAME.rrd; of several trials a
-    folder. Nothing is overwritten."""
+    """File to write in place of opening the viewer, NAME.rrd; with --failures a folder.
+    Nothing is overwritten."""
     serve: bool = False
-    """Show it in a browser: the address is printed."""
+    """Show it in a browser: the address is printed. Ctrl-C ends it."""
+    host: str = "127.0.0.1"
+    """Address on which --serve listens; 0.0.0.0: other machines may look."""
+    port: int = 9090
+    """Of the page that --serve shows; the data come from the next one."""
 
     def __post_init__(self) -> None:
         """Refuse more than one choice of the same thing."""
-        if sum([self.trial is not None, self.worst, self.failures]) > 1:
-            raise InvalidValue(
-                "trials", "two choices", "one of --trial, --worst, --failures"
-            )
         if self.save is not None and self.serve:
             raise InvalidValue("--serve", True, "none beside --save")
+        if not self.serve and (self.host, self.port) != (_HOST, _PORT):
+            raise InvalidValue("--host or --port", "given", "none without --serve")
+
+
+_HOST, _PORT = ReplayOptions.host, ReplayOptions.port
 
 
 def main(argv: Sequence[str] | None = None, prog: str = "replay.py") -> int:
@@ -62,57 +72,71 @@ def main(argv: Sequence[str] | None = None, prog: str = "replay.py") -> int:
 
 
 def _replay(options: ReplayOptions) -> None:
-    shown = options.serve or options.save is not None
-    if not shown and sys.platform == "linux" and not _display():
-        raise InvalidValue(
-            "viewer", None, "--save FILE.rrd or --serve: there is no display"
-        )
+    _check_can_show(options)
     gl.require_gl()
     # MuJoCo is not loaded before it is known that it can render.
-    from prospect_mj.experiment.replayed import chosen, replayed
-    from prospect_mj.experiment.run_view import RunView
+    from prospect_mj.experiment import replayed
     from prospect_mj.replay.rerun_export import export
 
-    run = RunView.read(options.run)
-    trials = chosen(run, options.trial, options.worst, options.failures)
+    choice = replayed.Choice(options.trial, options.worst, options.failures)
+    names, trials = replayed.of(options.run, choice, _say)
     with tempfile.TemporaryDirectory(prefix="prospect-replay-") as place:
-        files = _files(options, trials, Path(place))
-        for one, path in zip(replayed(run, trials, _say), files, strict=True):
+        files = _files(options, names, Path(place))
+        several = len(files) > 1
+        bar = tqdm(files, "trials", unit="trial", disable=None if several else True)
+        for path, one in zip(bar, trials, strict=True):
             export(one.episode, one.story, path)
         if options.save is None:
-            _show(files, options.serve)
+            _show(options, files)
         else:
             print("\n".join(map(str, files)))
 
 
-def _files(options: ReplayOptions, trials: Sequence[int], place: Path) -> list[Path]:
+def _check_can_show(options: ReplayOptions) -> None:
+    """Refuse before anything is simulated what nobody would see in the end."""
+    from prospect_mj.replay import viewer
+
+    if options.save is not None:
+        if not options.failures:
+            check_new_file("--save", options.save, _SUFFIX)
+        return
+    viewer.program()
+    if options.serve:
+        viewer.check_port_free(options.host, options.port)
+    else:
+        require_display("--save FILE.rrd writes a file, --serve shows it in a browser")
+
+
+def _files(options: ReplayOptions, names: Sequence[str], place: Path) -> list[Path]:
     """Where each trial is written."""
     if options.save is None:
-        return [place / f"trial-{trial:06d}.rrd" for trial in trials]
-    if options.failures:
-        options.save.mkdir(parents=True, exist_ok=True)
-        files = [options.save / f"trial-{trial:06d}.rrd" for trial in trials]
-    else:
-        files = [options.save]
+        return [place / f"{name}{_SUFFIX}" for name in names]
+    if not options.failures:
+        return [options.save]
+    make_folder(options.save, ProspectError)
+    files = [options.save / f"{name}{_SUFFIX}" for name in names]
     for path in files:
-        if path.suffix != ".rrd":
-            raise InvalidValue("--save", str(path), "a name that ends in .rrd")
-        if path.exists():
-            raise InvalidValue("--save", str(path), "a file that does not exist")
-        if not path.parent.is_dir():
-            raise InvalidValue("--save", str(path), "a file in a folder that exists")
+        check_new_file("--save", path, _SUFFIX)
     return files
 
 
-def _show(files: Sequence[Path], serve: bool) -> None:
-    """Rerun's viewer, until it is closed."""
-    command = [sys.executable, "-m", "rerun_cli", *map(str, files)]
-    subprocess.run([*command, "--serve-web"] if serve else command, check=False)
+def _show(options: ReplayOptions, files: Sequence[Path]) -> None:
+    """Rerun's viewer, until it is closed or interrupted."""
+    from prospect_mj.replay import viewer
+
+    if not options.serve:
+        viewer.show(files)
+        return
+    try:
+        viewer.serve(files, options.host, options.port, _tell_address)
+    except KeyboardInterrupt:
+        _say("stopped")
 
 
-def _display() -> bool:
-    return any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY"))
+def _tell_address(page: str) -> None:
+    print(page, flush=True)
+    _say("open this address in a browser; Ctrl-C ends it")
 
 
 def _say(words: str) -> None:
-    print(words, file=sys.stderr, flush=True)
+    tqdm.write(words, file=sys.stderr)

@@ -9,20 +9,22 @@ from typing import Annotated
 import tyro
 
 from prospect_mj.cli import command_line
-from prospect_mj.errors import InvalidValue
+from prospect_mj.cli.new_file import check_new_file
 from prospect_mj.sim import gl
 
 
 @dataclass(frozen=True)
 class VideoOptions:
-    """Film a trial of a run, from its states, at real time."""
+    """Film a trial of a run or of an evaluation, from its states, at real time."""
 
     run: Annotated[Path, tyro.conf.Positional] = Path()
-    """The run's folder."""
+    """The run's folder, or the file of one episode, NAME.npz."""
     out: Annotated[Path, tyro.conf.Positional] = Path("trial.mp4")
     """MP4 file to write; it must not exist."""
     trial: int | None = None
-    """Number of the trial, from 0. Default: the last one that was kept."""
+    """Number of the trial, from 0. Default: the last one that was kept, or the last."""
+    worst: bool = False
+    """The trial with most actions."""
     width: int = 854
     """Of the picture [pixels]."""
     height: int = 480
@@ -41,12 +43,7 @@ def check_new_video(what: str, path: Path) -> None:
     Raises:
         InvalidValue: with what is wrong.
     """
-    if path.suffix != ".mp4":
-        raise InvalidValue(what, str(path), "a name that ends in .mp4")
-    if path.exists():
-        raise InvalidValue(what, str(path), "a file that does not exist")
-    if not path.parent.is_dir():
-        raise InvalidValue(what, str(path), "a file in a folder that exists")
+    check_new_file(what, path, ".mp4")
 
 
 def main(argv: Sequence[str] | None = None, prog: str = "video.py") -> int:
@@ -65,13 +62,15 @@ def main(argv: Sequence[str] | None = None, prog: str = "video.py") -> int:
 def _film(options: VideoOptions) -> None:
     gl.require_gl()
     # MuJoCo is not loaded before it is known that it can render.
-    from prospect_mj.experiment.replayed import chosen, replayed
-    from prospect_mj.experiment.run_view import RunView
+    from prospect_mj.experiment import replayed
     from prospect_mj.replay.video import VideoSettings, film
 
     look = VideoSettings(options.width, options.height, captions=options.captions)
-    run = RunView.read(options.run)
-    trials = chosen(run, options.trial, worst=False, failures=False)
-    (one,) = replayed(run, trials, lambda words: print(words, file=sys.stderr))
-    film(one.episode, options.out, look)
+    choice = replayed.Choice(options.trial, options.worst)
+    _, trials = replayed.of(options.run, choice, _say)
+    film(next(trials).episode, options.out, look)
     print(options.out)
+
+
+def _say(words: str) -> None:
+    print(words, file=sys.stderr, flush=True)

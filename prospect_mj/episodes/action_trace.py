@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from prospect_mj.actions.action import ActionOutcome
+from prospect_mj.actions.action import ActionOutcome, PlanOutcome
 from prospect_mj.control.controller import CONTROL_PERIOD, Controller
 from prospect_mj.episodes.episode import (
     QUANTITIES,
@@ -62,10 +62,17 @@ class ActionTrace:
                 _, _, start, _ = self._paths.get(id(path), (controller, path, now, end))
                 self._paths[id(path)] = controller, path, start, end
 
-    def ended(self, outcome: ActionOutcome, start: float, end: float) -> ActionSpan:
+    def ended(
+        self,
+        name: str,
+        outcome: ActionOutcome | PlanOutcome,
+        start: float,
+        end: float,
+    ) -> ActionSpan:
         """The action as a whole.
 
         Args:
+            name: the action's label, or the plan's name.
             outcome: what it did.
             start: when it began [s].
             end: when it had ended [s].
@@ -86,4 +93,5 @@ class ActionTrace:
             for controller, path, first, last in self._paths.values()
         )
         # What ran is told by the spans.
-        return ActionSpan(replace(outcome, runs=()), start, end, controllers, paths)
+        told = replace(outcome, runs=())
+        return ActionSpan(name, told, start, end, controllers, paths)

@@ -8,7 +8,7 @@ import numpy as np
 from cattrs.preconf.json import make_converter
 from numpy.typing import NDArray
 
-from prospect_mj.actions.action import ActionOutcome
+from prospect_mj.actions.action import ActionOutcome, PlanOutcome
 from prospect_mj.episodes.episode import (
     ActionSpan,
     ControllerSpan,
@@ -81,9 +81,11 @@ def episode(
 
 def _action(span: ActionSpan) -> dict[str, Any]:
     outcome = span.outcome
+    acted = isinstance(outcome, ActionOutcome)
     return {
-        "action": int(outcome.action),
-        "executed": outcome.executed,
+        "name": span.name,
+        "action": int(outcome.action) if acted else None,
+        "executed": outcome.executed if acted else None,
         "result": str(outcome.result),
         "sim_seconds": outcome.sim_seconds,
         "start": span.start,
@@ -97,10 +99,13 @@ def _action(span: ActionSpan) -> dict[str, Any]:
 
 
 def _span(told: dict[str, Any], paths: Any) -> ActionSpan:  # noqa: ANN401
-    names = ("action", "executed", "result", "sim_seconds")
-    plain = {name: told[name] for name in names} | {"runs": ()}
+    planned = told["action"] is None
+    names = () if planned else ("action", "executed")
+    plain = {name: told[name] for name in (*names, "result", "sim_seconds")}
+    kind = PlanOutcome if planned else ActionOutcome
     return ActionSpan(
-        outcome=_PLAIN.structure(plain, ActionOutcome),
+        name=told["name"],
+        outcome=_PLAIN.structure(plain | {"runs": ()}, kind),
         start=told["start"],
         end=told["end"],
         controllers=_PLAIN.structure(told["controllers"], tuple[ControllerSpan, ...]),

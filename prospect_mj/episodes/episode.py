@@ -5,7 +5,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from prospect_mj.actions.action import ActionOutcome
+from prospect_mj.actions.action import ActionOutcome, PlanOutcome
 from prospect_mj.control.result import Measured, Status
 from prospect_mj.robot.names import Side
 from prospect_mj.sim.camera import StereoPair
@@ -46,9 +46,11 @@ class PlannedPath:
 
 @dataclass(frozen=True, eq=False)
 class ActionSpan:
-    """One action of the trial, whether it was let run or not."""
+    """One action of the trial, run or refused, or a plan of one's own."""
 
-    outcome: ActionOutcome
+    name: str
+    """The action's label, such as `grasp-left`, or the plan's name."""
+    outcome: ActionOutcome | PlanOutcome
     start: float
     """[s]"""
     end: float

@@ -9,22 +9,23 @@ can be computed from the states (poses, contacts, sensor readings) is not in it.
 
 import io
 import json
-import zipfile
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from prospect_mj.agent.features import N_BINS
 from prospect_mj.episodes import description
-from prospect_mj.episodes.episode import Episode, Signals, States
+from prospect_mj.episodes.episode import QUANTITIES, Episode, Signals, States
 from prospect_mj.episodes.images import as_png, from_png
-from prospect_mj.errors import EpisodeError, ProspectError
+from prospect_mj.errors import EpisodeError
+from prospect_mj.robot import wam
+from prospect_mj.robot.names import SIDES
 from prospect_mj.sim.camera import StereoPair
 from prospect_mj.storage import replace_file
 
 SUFFIX = ".npz"
 _FORMAT = 1
-_DAMAGED = (ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile)
 
 
 def write(path: Path, episode: Episode, origin: str) -> None:
@@ -59,8 +60,10 @@ def read(path: Path, origin: str | None = None) -> Episode:
         raise EpisodeError(f"there is no episode {path}") from error
     except EpisodeError:
         raise
-    except (OSError, ProspectError, *_DAMAGED) as error:
-        raise EpisodeError(f"{path} can't be read as an episode: {error}") from error
+    # zipfile, zlib, NumPy, JSON and cattrs each have errors of their own for damage.
+    except Exception as error:
+        why = str(error) or type(error).__name__
+        raise EpisodeError(f"{path} can't be read as an episode: {why}") from error
 
 
 def _arrays(episode: Episode, origin: str) -> dict[str, Any]:
@@ -81,14 +84,39 @@ def _arrays(episode: Episode, origin: str) -> dict[str, Any]:
 
 def _episode(told: dict[str, Any], stored: Any) -> Episode:  # noqa: ANN401
     images = StereoPair(*(from_png(stored[f"{s}_image"]) for s in ("left", "right")))
-    return description.episode(
-        told,
-        images,
-        stored["histogram"],
-        States(stored["state_times"], stored["states"]),
-        Signals(stored["signal_times"], stored["measured"]),
-        stored["path_points"],
+    states = States(
+        _numbers(stored, "state_times", (None,)),
+        _numbers(stored, "states", (None, None)),
     )
+    arms = len(SIDES), len(QUANTITIES)
+    signals = Signals(
+        _numbers(stored, "signal_times", (None,)),
+        _numbers(stored, "measured", (None, *arms)),
+    )
+    _check_times("state", states.times, states.rows)
+    _check_times("signal", signals.times, signals.measured)
+    if not len(states.times):
+        raise ValueError("there is no state in it")
+    histogram = _numbers(stored, "histogram", (N_BINS,))
+    points = _numbers(stored, "path_points", (None, wam.N_JOINTS))
+    return description.episode(told, images, histogram, states, signals, points)
+
+
+def _numbers(stored: Any, name: str, shape: tuple[int | None, ...]) -> Any:  # noqa: ANN401
+    """An array of numbers; None in its shape is any length."""
+    array = stored[name]
+    fits = len(array.shape) == len(shape) and all(
+        wanted in (None, found)
+        for wanted, found in zip(shape, array.shape, strict=True)
+    )
+    if not fits or array.dtype.kind not in "fi":
+        raise ValueError(f"its {name} are {array.dtype} of shape {array.shape}")
+    return array
+
+
+def _check_times(what: str, times: np.ndarray, rows: np.ndarray) -> None:
+    if len(times) != len(rows) or not (np.diff(times) > 0).all():
+        raise ValueError(f"its {what} times don't fit")
 
 
 def _check(path: Path, told: object, origin: str | None) -> None:

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from prospect_mj.actions.action import Action, ActionOutcome
+from prospect_mj.actions.action import Action, ActionOutcome, PlanOutcome
+from prospect_mj.actions.plan import Plan
 from prospect_mj.checks import check_integer
 from prospect_mj.closing import Closing
 from prospect_mj.control.controller import Controller
@@ -18,8 +19,18 @@ from prospect_mj.sim.simulation import Simulation
 from prospect_mj.supervisor.predicates import PredicateState
 from prospect_mj.supervisor.supervisor import Supervisor
 from prospect_mj.task.pick_place import PickPlaceTask
-from prospect_mj.task.presentation import Orientation
+from prospect_mj.task.presentation import Orientation, Presentation
+from prospect_mj.task.trial_state import TrialState
 from prospect_mj.vision.look import Look
+
+
+@dataclass(frozen=True, eq=False)
+class Moment:
+    """A trial between two of its actions, from which it can go on."""
+
+    trial: TrialState
+    presentation: Presentation
+    look: LookTaken
 
 
 @dataclass(frozen=True)
@@ -55,6 +66,7 @@ class WatchedTask(Closing):
         self.task = task
         self.supervisor: Supervisor = task.supervisor
         self._stride = (RecorderSettings() if settings is None else settings).stride
+        self._shown: Presentation | None = None
         self._look: LookTaken | None = None
         self._forget()
         task.runner.watcher = self._watch
@@ -83,6 +95,7 @@ class WatchedTask(Closing):
         """Present the jar, and forget the trial before."""
         look = self.task.reset(orientation, rng)
         self._forget()
+        self._shown = self.task.presentation
         self._look = LookTaken(
             self.task.images, look.histogram, look.status, look.position, look.axis
         )
@@ -93,22 +106,63 @@ class WatchedTask(Closing):
         """Run an action, and remember what came of it."""
         start, self._trace = self._now, ActionTrace()
         outcome = self.task.execute(action)
-        self._keep_state()
-        self._actions.append(self._trace.ended(outcome, start, self._now))
+        self._end(action.label, outcome, start)
         return outcome
 
-    def episode(self) -> Episode:
-        """What happened since the last reset.
+    def follow(self, plan: Plan, name: str) -> PlanOutcome:
+        """Run a plan of one's own, and remember what came of it by a name."""
+        start, self._trace = self._now, ActionTrace()
+        outcome = self.task.follow(plan)
+        self._end(name, outcome, start)
+        return outcome
+
+    def _end(
+        self, name: str, outcome: ActionOutcome | PlanOutcome, start: float
+    ) -> None:
+        self._keep_state()
+        self._actions.append(self._trace.ended(name, outcome, start, self._now))
+
+    def save(self) -> Moment:
+        """The trial as it stands, from which it can go on bit-identically.
 
         Raises:
-            InvalidValue: if there was none.
+            InvalidValue: if none has begun.
         """
-        if self._look is None or self.task.presentation is None:
-            raise InvalidValue("episode", None, "a trial that began with a reset")
+        presentation, look = self._begun()
+        return Moment(self.task.save(), presentation, look)
+
+    def restore(self, moment: Moment) -> None:
+        """Go on from a saved moment of any trial; what is remembered begins there."""
+        self.task.restore(moment.trial)
+        self._forget()
+        self._shown, self._look = moment.presentation, moment.look
+        self._keep_state()
+
+    @property
+    def look(self) -> LookTaken:
+        """What the robot saw before it began.
+
+        Raises:
+            InvalidValue: if no trial has begun.
+        """
+        return self._begun()[1]
+
+    def _begun(self) -> tuple[Presentation, LookTaken]:
+        if self._shown is None or self._look is None:
+            raise InvalidValue("trial", None, "one that began with a reset")
+        return self._shown, self._look
+
+    def episode(self) -> Episode:
+        """What happened since the last reset, or since a moment that was restored.
+
+        Raises:
+            InvalidValue: if no trial has begun.
+        """
+        presentation, look = self._begun()
         return Episode(
             scene=self.task.simulation.settings,
-            presentation=self.task.presentation,
-            look=self._look,
+            presentation=presentation,
+            look=look,
             states=States(np.array(self._times), np.array(self._rows)),
             signals=self._signals.as_arrays(),
             actions=tuple(self._actions),

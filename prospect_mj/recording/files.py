@@ -53,6 +53,11 @@ def tree_files(folder: Path) -> list[Path]:
     return [packed]
 
 
+def n_presentations(folder: Path) -> int:
+    """Of each orientation, up to the last one that is there as a file of its own."""
+    return max((number_of(path) for path in tree_files(folder)), default=-1) + 1
+
+
 def check_folder(path: Path) -> None:
     """Refuse a path on which something else is in a folder's place.
 

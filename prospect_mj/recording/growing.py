@@ -115,8 +115,7 @@ class GrowingRecording(LockedFolder):
     @property
     def presentations(self) -> int:
         """Of each orientation, up to the last one that is there."""
-        numbers = (files.number_of(path) for path in files.tree_files(self.path))
-        return max(numbers, default=-1) + 1
+        return files.n_presentations(self.path)
 
     def complete(self, extent: Extent) -> Iterator[pa.Table]:
         """The nodes of each tree of an extent that is complete."""

@@ -6,6 +6,9 @@ import mujoco
 import numpy as np
 import rerun as rr
 
+ROOT = "scene"
+"""Path above all bodies."""
+
 _GEOM = mujoco.mjtGeom
 _COLLISION_GROUP = 3
 _FLOOR = (2.0, 2.0, 0.005)
@@ -15,7 +18,7 @@ _FLOOR = (2.0, 2.0, 0.005)
 def entity(model: mujoco.MjModel, body: int) -> str:
     """The path of a body's entity."""
     name = model.body(body).name.rstrip("/") or "world"
-    return f"scene/{name}"
+    return f"{ROOT}/{name}"
 
 
 def shapes(model: mujoco.MjModel) -> Iterator[tuple[str, rr.AsComponents]]:

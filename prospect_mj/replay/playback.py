@@ -10,11 +10,12 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from prospect_mj.control.contact_residual import contact_residual
 from prospect_mj.episodes.episode import Episode, PlannedPath
 from prospect_mj.errors import EpisodeError
 from prospect_mj.robot import names
 from prospect_mj.robot.names import SIDES
-from prospect_mj.robot.torso import Torso
+from prospect_mj.robot.torso import Torso, Touch
 from prospect_mj.sim.scene import compile_scene
 
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION
@@ -43,6 +44,8 @@ class Frames:
     """(n, 2) [N], left and right."""
     touch_forces: NDArray[np.float64]
     """Normal force of every fingertip (n, 2, 3) [N]."""
+    residuals: NDArray[np.float64]
+    """eps of the contacts of each hand (n, 2) [1], NaN unless all three tips touch."""
     contacts: tuple[Contacts, ...]
     """Of the jar."""
 
@@ -73,7 +76,7 @@ def play(episode: Episode, model: mujoco.MjModel) -> Frames:
     """
     data = mujoco.MjData(model)
     torso, jar = Torso(model, data), model.body("jar/").id
-    poses, wrists, touches, contacts = [], [], [], []
+    poses, wrists, touches, residuals, contacts = [], [], [], [], []
     for row in episode.states.rows:
         mujoco.mj_setState(model, data, row, _STATE)
         mujoco.mj_forward(model, data)
@@ -81,6 +84,7 @@ def play(episode: Episode, model: mujoco.MjModel) -> Frames:
         poses.append((data.xpos.copy(), data.xquat.copy()))
         wrists.append([np.linalg.norm(reading[s].wrist_force) for s in SIDES])
         touches.append([reading[side].touch.force for side in SIDES])
+        residuals.append([_residual(reading[side].touch) for side in SIDES])
         contacts.append(_contacts(model, data, jar))
     positions, quaternions = (np.array(part) for part in zip(*poses, strict=True))
     return Frames(
@@ -89,6 +93,7 @@ def play(episode: Episode, model: mujoco.MjModel) -> Frames:
         quaternions,
         np.array(wrists),
         np.array(touches),
+        np.array(residuals),
         tuple(contacts),
     )
 
@@ -104,6 +109,13 @@ def hand_path(model: mujoco.MjModel, path: PlannedPath) -> NDArray[np.float64]:
         mujoco.mj_kinematics(model, data)
         place[:] = data.site_xpos[site]
     return places
+
+
+def _residual(touch: Touch) -> float:
+    """As the grasp controller measures it."""
+    if not touch.found.all():
+        return np.nan
+    return contact_residual(touch.position, touch.normal).value
 
 
 def _contacts(model: mujoco.MjModel, data: mujoco.MjData, jar: int) -> Contacts:

@@ -5,21 +5,22 @@ import numpy as np
 import rerun as rr
 
 from prospect_mj.episodes.episode import Episode
-from prospect_mj.replay import geometry
+from prospect_mj.replay import colours, geometry
 from prospect_mj.replay.playback import Frames, hand_path
 from prospect_mj.replay.timeline import column
 from prospect_mj.robot.names import SIDES
 
-CONTACTS, FORCES, PLAN = "scene/contacts", "scene/contact_forces", "scene/plan"
-COLOURS = {"left": (0, 114, 178), "right": (213, 94, 0)}
-"""Of the arms, in all views."""
+ROOT = geometry.ROOT
+CONTACTS, FORCES, PLAN = (
+    f"{ROOT}/{name}" for name in ("contacts", "contact_forces", "plan")
+)
 
 _METRES_PER_NEWTON = 0.004
 
 
 def log_scene(stream: rr.RecordingStream, model: mujoco.MjModel) -> None:
     """Log all shapes, which never change."""
-    stream.log("scene", rr.ViewCoordinates.RIGHT_HAND_Z_UP, static=True)
+    stream.log(ROOT, rr.ViewCoordinates.RIGHT_HAND_Z_UP, static=True)
     for path, shape in geometry.shapes(model):
         stream.log(path, shape, static=True)
 
@@ -53,8 +54,8 @@ def log_contacts(stream: rr.RecordingStream, frames: Frames) -> None:
     # An arrow is drawn from outside onto the contact.
     arrows = rr.Arrows3D.columns(vectors=vectors, origins=places - vectors)
     stream.send_columns(FORCES, [times], arrows.partition(counts))
-    stream.log(CONTACTS, rr.Points3D.from_fields(colors=[(200, 30, 30)]), static=True)
-    red = rr.Arrows3D.from_fields(colors=[(200, 30, 30)], radii=[0.002])
+    stream.log(CONTACTS, rr.Points3D.from_fields(colors=[colours.CONTACT]), static=True)
+    red = rr.Arrows3D.from_fields(colors=[colours.CONTACT], radii=[0.002])
     stream.log(FORCES, red, static=True)
 
 
@@ -78,5 +79,5 @@ def log_paths(
         lengths = [len(strip) for strip in strips]
         lines = rr.LineStrips3D.columns(strips=[s for strip in strips for s in strip])
         stream.send_columns(f"{PLAN}/{side}", [column(times)], lines.partition(lengths))
-        look = rr.LineStrips3D.from_fields(colors=[COLOURS[side]], radii=[0.004])
+        look = rr.LineStrips3D.from_fields(colors=[colours.ARMS[side]], radii=[0.004])
         stream.log(f"{PLAN}/{side}", look, static=True)

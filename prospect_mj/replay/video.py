@@ -1,17 +1,21 @@
 """An episode as a video, rendered from its states at real time."""
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Generator, Iterator, Sequence
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 
 import cv2
+import imageio_ffmpeg
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
+from tqdm import tqdm
 
 from prospect_mj.checks import check_integer
 from prospect_mj.episodes.episode import Episode
 from prospect_mj.errors import InvalidValue
+from prospect_mj.replay import eye
 from prospect_mj.replay.playback import model_of
 from prospect_mj.sim import overview
 from prospect_mj.sim.camera import Image
@@ -19,8 +23,11 @@ from prospect_mj.sim.offscreen import OffscreenRenderer
 from prospect_mj.storage import temporary
 
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION
-_MARGIN, _BASE = 16, 14
-_INK, _HALO = (255, 255, 255), (40, 40, 40)
+_FONT, _SIZE, _INK = cv2.FONT_HERSHEY_SIMPLEX, 0.5, (255, 255, 255)
+_LINE, _MARGIN = 22, 12
+"""[pixels]"""
+_SHADE = 0.4
+"""Brightness of the ground on which words are written, of that of the picture."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +53,9 @@ class VideoSettings:
 
 
 def film(episode: Episode, path: Path, settings: VideoSettings | None = None) -> None:
-    """Write an episode as an MP4 file.
+    """Write an episode as an MP4 file in H.264, which browsers play.
+
+    A bar tells how far it is, on a terminal.
 
     Args:
         episode: what happened.
@@ -55,30 +64,47 @@ def film(episode: Episode, path: Path, settings: VideoSettings | None = None) ->
 
     Raises:
         EpisodeError: if the episode can't be played back.
-        InvalidValue: if the file can't be written.
+        OSError: if the file can't be written.
     """
     settings = VideoSettings() if settings is None else settings
     unfinished = temporary(path).with_suffix(".mp4")
+    times = moments(episode, settings.rate)
+    bar = tqdm(total=len(times), desc="film", unit="picture", disable=None)
     try:
-        with _writer(unfinished, settings) as writer:
-            for picture in pictures(episode, settings):
-                writer.write(cv2.cvtColor(picture, cv2.COLOR_RGB2BGR))
+        with bar, closing(_writer(unfinished, settings)) as writer:
+            for picture in pictures(episode, times, settings):
+                writer.send(np.ascontiguousarray(picture))
+                bar.update()
         unfinished.replace(path)
     finally:
         unfinished.unlink(missing_ok=True)
 
 
-def pictures(episode: Episode, settings: VideoSettings) -> Iterator[Image]:
-    """Its pictures (height, width, 3), RGB, in order."""
+def moments(episode: Episode, rate: float) -> NDArray[np.float64]:
+    """When pictures are taken (n,) [s], at a rate [1/s]; the last one at the end."""
+    start, end = episode.states.times[[0, -1]]
+    n_pictures = 1 + int(np.ceil((end - start) * rate - 1e-9))
+    return np.minimum(start + np.arange(n_pictures) / rate, end)
+
+
+def pictures(
+    episode: Episode, times: NDArray[np.float64], settings: VideoSettings
+) -> Iterator[Image]:
+    """Its pictures (height, width, 3), RGB, at some times [s] in order.
+
+    Raises:
+        EpisodeError: if the episode can't be played back.
+    """
     model, size = model_of(episode), (settings.height, settings.width)
     overview.light_for_people(model, size)
+    # Shadows speckle the arms, and take two thirds of the time.
+    model.vis.quality.shadowsize = 0
     data = mujoco.MjData(model)
-    camera = overview.camera()
-    times = episode.states.times
-    wanted = np.arange(times[0], times[-1], 1 / settings.rate)
+    camera = eye.camera()
+    states = episode.states
     with OffscreenRenderer(model, *size) as renderer:
-        for now in wanted:
-            row = episode.states.rows[np.searchsorted(times, now + 1e-9) - 1]
+        for now in times:
+            row = states.rows[np.searchsorted(states.times, now + 1e-9) - 1]
             mujoco.mj_setState(model, data, row, _STATE)
             mujoco.mj_forward(model, data)
             renderer.update_scene(data, camera)
@@ -92,32 +118,33 @@ def _captioned(picture: Image, episode: Episode, now: float) -> Image:
     for number, span in enumerate(episode.actions, start=1):
         if span.start <= now:
             done = f": {span.outcome.result}" if span.end <= now else ""
-            lines.append(f"{number}. {span.outcome.action.label}{done}")
+            lines.append(f"{number}. {span.name}{done}")
+    return _with_words(picture, lines)
+
+
+def _with_words(picture: Image, lines: Sequence[str]) -> Image:
+    """The picture with lines of text on a dark ground in its upper left corner."""
     picture = picture.copy()
-    for number, line in enumerate(lines):
-        place = _MARGIN, _MARGIN + _BASE + int(1.6 * _BASE * number)
-        for colour, thickness in ((_HALO, 3), (_INK, 1)):
-            cv2.putText(
-                picture,
-                line,
-                place,
-                cv2.FONT_HERSHEY_SIMPLEX,
-                0.5,
-                colour,
-                thickness,
-                cv2.LINE_AA,
-            )
+    widths = [cv2.getTextSize(line, _FONT, _SIZE, 1)[0][0] for line in lines]
+    ground = picture[: len(lines) * _LINE + _MARGIN, : max(widths) + 2 * _MARGIN]
+    ground[:] = _SHADE * ground
+    for number, line in enumerate(lines, start=1):
+        place = _MARGIN, number * _LINE
+        cv2.putText(picture, line, place, _FONT, _SIZE, _INK, 1, cv2.LINE_AA)
     return picture
 
 
-@contextmanager
-def _writer(path: Path, settings: VideoSettings) -> Iterator[cv2.VideoWriter]:
-    codec = cv2.VideoWriter.fourcc(*"mp4v")
-    size = settings.width, settings.height
-    writer = cv2.VideoWriter(str(path), codec, float(settings.rate), size)
-    try:
-        if not writer.isOpened():
-            raise InvalidValue("video", str(path), "a file that can be written")
-        yield writer
-    finally:
-        writer.release()
+def _writer(path: Path, settings: VideoSettings) -> Generator[None, Image, None]:
+    """Takes pictures by `send`; the file is whole when it is closed."""
+    writer = imageio_ffmpeg.write_frames(
+        path,
+        (settings.width, settings.height),
+        fps=settings.rate,
+        codec="libx264",
+        # Any even size: players crop what is left of a block.
+        macro_block_size=2,
+        # The table of contents comes first, so that a browser plays at once.
+        output_params=["-movflags", "+faststart"],
+    )
+    next(writer)
+    return writer

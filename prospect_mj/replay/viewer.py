@@ -1,0 +1,158 @@
+"""Rerun's viewer as a program: in a window or in a browser.
+
+The program itself is run: the Python one in front of it keeps its exit code to itself.
+"""
+
+import importlib.util
+import os
+import re
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from urllib.error import URLError
+from urllib.parse import quote
+from urllib.request import urlopen
+
+from prospect_mj.checks import check_integer
+from prospect_mj.errors import InvalidValue, MissingViewer
+
+HOST, PORT = "127.0.0.1", 9090
+"""Where a browser finds the viewer, unless told otherwise."""
+VULKAN_PACKAGE = "mesa-vulkan-drivers"
+"""Debian's, of the software renderer where there is no graphics card."""
+
+_PATIENCE, _POLL = 30.0, 0.1
+"""For a server to answer [s]."""
+_NO_DRIVER = ("graphics adapter", "render context")
+_STYLE = re.compile(r"\x1b\[[0-9;]*m")
+
+
+def program() -> Path:
+    """The viewer's executable.
+
+    Raises:
+        MissingViewer: if it is not installed.
+    """
+    found = importlib.util.find_spec("rerun_cli")
+    name = "rerun.exe" if sys.platform == "win32" else "rerun"
+    if found is not None and found.origin is not None:
+        path = Path(found.origin).with_name(name)
+        if path.is_file():
+            return path
+    raise MissingViewer("Rerun's viewer is not installed: pip install rerun-sdk")
+
+
+def show(files: Sequence[Path]) -> None:
+    """Open the viewer in a window, and wait until it is closed.
+
+    Raises:
+        ChildProcessError: if it fails.
+    """
+    # A port of its own: a viewer that is open already would take the files over.
+    _run("--port", "auto", *files)
+
+
+def serve(
+    files: Sequence[Path], host: str, port: int, ready: Callable[[str], None]
+) -> None:
+    """Let browsers look, until the process is interrupted.
+
+    Args:
+        files: what they see.
+        host: address on which it listens; 0.0.0.0: on all that the machine has.
+        port: of the page; the data come from the next one.
+        ready: told the page's address when it is there.
+
+    Raises:
+        InvalidValue: if one of the ports is taken.
+        ChildProcessError: if the server fails.
+    """
+    check_port_free(host, port)
+    name = socket.gethostname() if host == "0.0.0.0" else host
+    options = ["--bind", host, "--port", port + 1, "--web-viewer-port", port]
+    options += ["--cors-allow-origin", f"http://{name}:{port}"]
+    command = _command("--serve-web", *options, *files)
+    with subprocess.Popen(command, env=quiet(), **_CAPTURED) as server:
+        try:
+            _wait_for(server, f"http://{host}:{port}")
+            data = quote(f"rerun+http://{name}:{port + 1}/proxy", safe="")
+            ready(f"http://{name}:{port}/?url={data}")
+            _, said = server.communicate()
+            raise ChildProcessError(failure(server.returncode, said))
+        finally:
+            server.terminate()
+
+
+def free_port() -> int:
+    """A port on which nobody listens at present."""
+    with socket.create_server((HOST, 0)) as found:
+        return found.getsockname()[1]
+
+
+def check_port_free(host: str, port: int) -> None:
+    """Refuse a port that is taken, or whose successor is.
+
+    Raises:
+        InvalidValue: if one is.
+    """
+    check_integer("--port", port, 1, 2**16 - 2)
+    for number in (port, port + 1):
+        try:
+            with socket.create_server((host, number)):
+                pass
+        except OSError as error:
+            free = f"a free one on {host}, and the next one free too"
+            raise InvalidValue("--port", port, f"{free} ({error.strerror})") from error
+
+
+_CAPTURED = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}
+
+
+def _run(*arguments: object) -> None:
+    done = subprocess.run(_command(*arguments), env=quiet(), check=False, **_CAPTURED)
+    if done.returncode != 0:
+        raise ChildProcessError(failure(done.returncode, done.stderr))
+
+
+def _command(*arguments: object) -> list[str]:
+    return [str(program()), *map(str, arguments)]
+
+
+def quiet() -> dict[str, str]:
+    """The environment, with errors as all that the viewer writes about itself."""
+    return {"RUST_LOG": "error", **os.environ}
+
+
+def _wait_for(server: "subprocess.Popen[str]", page: str) -> None:
+    end = time.monotonic() + _PATIENCE
+    while server.poll() is None and time.monotonic() < end:
+        try:
+            with urlopen(page, timeout=_PATIENCE):
+                return
+        except (URLError, OSError):
+            time.sleep(_POLL)
+    if server.poll() is None:
+        raise ChildProcessError(f"Rerun's server did not answer in {_PATIENCE:.0f} s")
+
+
+def failure(code: int, said: str) -> str:
+    """One line: what failed, and what to do about it where that is known."""
+    lines = [line.strip() for line in _STYLE.sub("", said).splitlines() if line.strip()]
+    if any(words in line for words in _NO_DRIVER for line in lines):
+        return (
+            "Rerun's viewer found no graphics driver; without a graphics card install "
+            f"Debian's {VULKAN_PACKAGE}"
+        )
+    reason = _first(lines, ("Error", "error", "panicked"))
+    return f"Rerun's viewer ended with code {code}: {reason}"
+
+
+def _first(lines: Sequence[str], words: Iterable[str]) -> str:
+    for word in words:
+        for line in lines:
+            if word in line and "XDG_RUNTIME_DIR" not in line:
+                return line
+    return lines[-1] if lines else "it said nothing"
