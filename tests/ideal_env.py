@@ -96,4 +96,4 @@ def refuse(config):
 if __name__ == "__main__":
     seconds = float(sys.argv[1])
     make_env = partial(IdealEnv, noise=0.05, seconds_per_action=seconds)
-    sys.exit(train.main(sys.argv[2:], make_env))
+    sys.exit(train.main(sys.argv[2:], make_env=make_env))

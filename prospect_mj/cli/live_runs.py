@@ -12,6 +12,7 @@ from tqdm import tqdm
 from prospect_mj.cli import command_line
 from prospect_mj.experiment.paper.live import live_runs
 from prospect_mj.experiment.paper.live.live_runs import LiveRuns
+from prospect_mj.experiment.seeds.side_by_side import check_all_finished
 from prospect_mj.recording.workers import Workers
 from prospect_mj.sim import gl
 
@@ -61,5 +62,5 @@ def _make(options: LiveOptions) -> None:
             bar.update()
             for words in run.warned:
                 warnings.warn(f"{run.path.name}: {words}", stacklevel=2)
-    live_runs.check_all_finished(ended)
+    check_all_finished(ended)
     print(f"{options.out}: {total} runs are finished")

@@ -10,12 +10,15 @@ import tyro
 
 from prospect_mj.agent import LearnerSettings
 from prospect_mj.cli import command_line
+from prospect_mj.cli.output import Output
 from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment import session
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.environment import MakeEnvironment, make_environment
 from prospect_mj.experiment.kept_episodes import Kept
-from prospect_mj.experiment.run_folder import read_config
+from prospect_mj.experiment.run_folder import RunFolder, read_config
+from prospect_mj.experiment.summary import Summary
+from prospect_mj.recording.workers import Workers
 
 
 @dataclass(frozen=True)
@@ -32,9 +35,21 @@ class TrainOptions:
     resume: Path | None = None
     """Folder of a run to continue exactly where it stopped; of the other options only
     a larger --trials may differ from that run's, and --record."""
+    seeds: str | None = None
+    """Several runs at once, one of each seed, in place of --seed: such as 0:8 (0 to 7),
+    0:8:2 or 0,3,5. They go to seed-0000, ... in --out (default: runs/seeds); the same
+    command again goes on where it was stopped."""
+    jobs: int = 2
+    """Processes for --seeds."""
     record: str | None = None
     """Which trials are kept for replay.py, in episodes/ of the run: all, failures, or
     every=N. Results are the same with it and without."""
+    output: Annotated[Output, tyro.conf.arg(name="")] = field(default_factory=Output)
+    """Who reads the result."""
+
+    def __post_init__(self) -> None:
+        """Refuse what can't work."""
+        Workers(self.jobs)
 
 
 def main(
@@ -63,18 +78,66 @@ def _train(argv: Sequence[str], prog: str, make_env: MakeEnvironment) -> None:
     options = _parse(argv, prog, TrainOptions())
     kept = None if options.record is None else Kept.parse(options.record)
     if kept is not None and options.config.physics != "live":
-        raise InvalidValue("--record", options.record, "none on recorded physics")
+        raise InvalidValue(
+            "--record",
+            options.record,
+            "none on recorded physics: replay simulates its trials again",
+        )
+    if options.seeds is not None:
+        _check_alone(options, argv)
+        _train_seeds(options, options.seeds, make_env, kept)
+        return
+    say = options.output.say
     if options.resume is None:
-        summary = session.start(options.config, options.out, make_env, kept=kept)
+        summary = session.start(options.config, options.out, make_env, say, kept)
     else:
         if options.out is not None:
             raise InvalidValue("--out", str(options.out), "none beside --resume")
-        # Options that are not given keep the stored run's values.
-        stored = replace(options, config=read_config(options.resume))
+        # Options that are not given keep the stored run's values; a flag that is on
+        # already can't be given.
+        stored = replace(options, config=read_config(options.resume), output=Output())
         config = _parse(argv, prog, stored).config
-        summary = session.resume(options.resume, config, make_env, kept=kept)
+        summary = session.resume(options.resume, config, make_env, say, kept)
+        if summary is None and options.output.json:
+            summary = _finished(options.resume)
     if summary is not None:
-        print(summary)
+        options.output.result(str(summary), summary)
+
+
+def _finished(path: Path) -> Summary:
+    """What a run came to in which nothing was left to do."""
+    with RunFolder.open(path) as folder:
+        return Summary.of(folder, folder.n_trials, 0.0)
+
+
+def _check_alone(options: TrainOptions, argv: Sequence[str]) -> None:
+    """Refuse what contradicts --seeds; a seed may be given that is the default one."""
+    if any(word.partition("=")[0] == "--seed" for word in argv):
+        raise InvalidValue("--seed", options.config.seed, "none beside --seeds")
+    if options.resume is not None:
+        expected = "none beside --seeds, which goes on by itself"
+        raise InvalidValue("--resume", str(options.resume), expected)
+    if options.config.grow and options.jobs > 1:
+        expected = "1 beside --grow: one process at a time can grow a recording"
+        raise InvalidValue("--jobs", options.jobs, expected)
+
+
+def _train_seeds(
+    options: TrainOptions, seeds: str, make_env: MakeEnvironment, kept: Kept | None
+) -> None:
+    # Only here: it loads the libraries that draw the paper's figures.
+    from prospect_mj.experiment.seeds.seed_list import parse_seeds
+    from prospect_mj.experiment.seeds.seeds_folder import CURVES, DEFAULT, SUMMARY
+    from prospect_mj.experiment.seeds.train_seeds import train_seeds
+
+    out = DEFAULT if options.out is None else options.out
+    numbers = parse_seeds(seeds)
+    output = options.output
+    summary = train_seeds(
+        options.config, numbers, out, options.jobs, make_env, output.say, kept
+    )
+    told = f"folder {out}: a run folder for each seed, {SUMMARY}, {CURVES}"
+    output.result(f"{summary}\n{told}", summary)
 
 
 def _parse(argv: Sequence[str], prog: str, default: TrainOptions) -> TrainOptions:

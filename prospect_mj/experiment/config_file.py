@@ -36,15 +36,30 @@ class StoredConfig:
 
 def write(path: Path, config: TrainConfig) -> None:
     """Write `config`, its digests and the installed versions, all or nothing."""
-    content = {
-        "prospect_mj_run": _FORMAT,
-        # By way of JSON, as YAML knows no number that is only derived from float.
-        "config": json.loads(json.dumps(asdict(config))),
-        "sha256": fingerprint.digests(config),
-        "versions": provenance.installed_versions(PACKAGES),
+    content = {"prospect_mj_run": _FORMAT, **as_content(present(config))}
+    replace_file(path, yaml.safe_dump(content, sort_keys=False).encode())
+
+
+def present(config: TrainConfig) -> StoredConfig:
+    """What would be written of a configuration now.
+
+    Raises:
+        ProspectError: if something that decides the numbers is missing.
+    """
+    # By way of JSON, as YAML knows no number that is only derived from float.
+    settings = json.loads(json.dumps(asdict(config)))
+    versions = provenance.installed_versions(PACKAGES)
+    return StoredConfig(settings, fingerprint.digests(config), versions)
+
+
+def as_content(stored: StoredConfig) -> dict[str, Any]:
+    """What a file has of a configuration, and of the machine that it is made on."""
+    return {
+        "config": dict(stored.settings),
+        "sha256": dict(stored.sha256),
+        "versions": dict(stored.versions),
         "platform": provenance.machine(),
     }
-    replace_file(path, yaml.safe_dump(content, sort_keys=False).encode())
 
 
 def read(path: Path) -> TrainConfig:
@@ -59,8 +74,7 @@ def read(path: Path) -> TrainConfig:
         config = TrainConfig.from_dict(stored.settings)
     except (ProspectError, KeyError, TypeError, ValueError) as error:
         raise RunFolderError(f"{path} is damaged: {error}") from error
-    _check_versions(path, stored.versions)
-    _check_digests(path, stored.sha256, config)
+    check_continuable(path, stored, config)
     return config
 
 
@@ -73,6 +87,15 @@ def read_stored(path: Path) -> StoredConfig:
     content = read_yaml(path, RunFolderError)
     if content.get("prospect_mj_run") != _FORMAT:
         raise RunFolderError(f"{path} is not the configuration of a run")
+    return stored_in(path, content)
+
+
+def stored_in(path: Path, content: Mapping[str, Any]) -> StoredConfig:
+    """The configuration in what a file holds, which `as_content` made.
+
+    Raises:
+        RunFolderError: if something is lacking or was edited.
+    """
     try:
         plain = [dict(content[name]) for name in ("config", "sha256", "versions")]
         configuration = fingerprint.of_settings(plain[0])
@@ -97,6 +120,21 @@ def differences(stored: StoredConfig, config: TrainConfig) -> list[str]:
         *(p for p, version in installed.items() if stored.versions.get(p) != version),
         *(name for name, digest in now.items() if stored.sha256.get(name) != digest),
     ]
+
+
+def check_continuable(path: Path, stored: StoredConfig, config: TrainConfig) -> None:
+    """Refuse what other versions or model files would go on with in another way.
+
+    Args:
+        path: the file, for the messages.
+        stored: what is in it.
+        config: the same, understood.
+
+    Raises:
+        RunFolderError: with the first difference.
+    """
+    _check_versions(path, stored.versions)
+    _check_digests(path, stored.sha256, config)
 
 
 def _check_versions(path: Path, stored: Mapping[str, str]) -> None:

@@ -1,6 +1,7 @@
 """Which folder a run may have, and that it has it alone."""
 
 import os
+from collections.abc import Collection
 from pathlib import Path
 
 from prospect_mj import storage
@@ -16,25 +17,33 @@ def check_free(path: Path) -> None:
     Raises:
         RunFolderError: if `path` is a file, or a folder with something in it.
     """
+    # No more than a run that was killed at its birth.
+    unborn = storage.temporary(path / config_file.NAME).name
+    check_vacant(path, {unborn}, f"choose another folder, or --resume {path}")
+
+
+def check_vacant(path: Path, own: Collection[str], remedy: str) -> None:
+    """Refuse a folder that can't be taken, without touching it.
+
+    Args:
+        path: the folder.
+        own: names of what may be in it.
+        remedy: what to do where there is anything else.
+
+    Raises:
+        RunFolderError: if `path` is a file, has something else in it, or can't be made.
+    """
     try:
         if path.exists() and not path.is_dir():
             raise RunFolderError(f"{path} is not a folder")
-        if path.exists() and not _is_empty(path):
-            raise RunFolderError(
-                f"{path} is not empty; choose another folder, or --resume {path}"
-            )
+        if path.exists() and not all(file.name in own for file in path.iterdir()):
+            raise RunFolderError(f"{path} is not empty; {remedy}")
         ancestry = (path.absolute(), *path.absolute().parents)
         nearest = next(folder for folder in ancestry if folder.exists())
     except OSError as error:
         raise RunFolderError(f"{path} can't be read: {error.strerror}") from error
     if not nearest.is_dir() or not os.access(nearest, os.W_OK):
         raise RunFolderError(f"{path} can't be made: {nearest} can't be written to")
-
-
-def _is_empty(path: Path) -> bool:
-    """Whether nothing is there, or no more than a run that was killed at its birth."""
-    unborn = storage.temporary(path / config_file.NAME)
-    return all(file == unborn for file in path.iterdir())
 
 
 def new_default() -> Path:

@@ -95,3 +95,14 @@ def first_near_optimal_window(n_actions: ArrayLike, window: int = WINDOW) -> int
     """
     reached = np.flatnonzero(moving_mean(n_actions, window) <= NEAR_OPTIMAL)
     return int(reached[0]) if reached.size else None
+
+
+def near_optimal_trial(n_actions: NDArray[np.integer], pretrain: int) -> int | None:
+    """First of the first near-optimal `WINDOW` after the pretraining.
+
+    Args:
+        n_actions: (n_trials,) [actions].
+        pretrain: trials of pretraining.
+    """
+    reached = first_near_optimal_window(n_actions[pretrain:])
+    return None if reached is None else pretrain + reached

@@ -42,7 +42,7 @@ def learning_curve(
     figure = Figure(figsize=(8, 4.5), dpi=150, layout="constrained")
     axes = figure.add_subplot()
     _frame(axes, len(actions), max_actions, title)
-    _draw_levels(axes, max_actions)
+    draw_levels(axes, max_actions)
     _draw_means(axes, actions)
     _draw_moving_means(axes, actions, pretrain)
     _draw_legend(axes)
@@ -63,8 +63,8 @@ def _frame(axes: Axes, n_trials: int, max_actions: int, title: str) -> None:
     axes.set_axisbelow(True)
 
 
-def _draw_levels(axes: Axes, max_actions: int) -> None:
-    """Mark the best possible and the longest trial."""
+def draw_levels(axes: Axes, max_actions: int) -> None:
+    """Mark the fewest actions of a solved trial, and those of the longest one."""
     levels = ((OPTIMUM, f"optimum: {OPTIMUM}", "top"),)
     levels += ((max_actions, f"cut off after {max_actions}", "bottom"),)
     for level, label, side in levels:

@@ -64,12 +64,10 @@ def read_state(path: Path, origin: str) -> RunState | None:
     """
     if _was_killed_at_birth(path, origin):
         return None
-    learner = _read(path / WEIGHTS, LinearQ.load)
-    if learner.origin != origin:
-        raise RunFolderError(f"{path / WEIGHTS} is from another run")
-    actions = _read_table(path, ACTIONS, origin).slice(0, learner.n_updates)
+    learner = read_learner(path, origin)
+    actions = read_table(path, ACTIONS, origin).slice(0, learner.n_updates)
     n_trials = np.unique(actions["trial"].to_numpy()).size
-    trials = _read_table(path, TRIALS, origin).slice(0, n_trials)
+    trials = read_table(path, TRIALS, origin).slice(0, n_trials)
     state = RunState(learner, actions, trials)
     _check_together(path, state)
     return state
@@ -80,7 +78,7 @@ def _was_killed_at_birth(path: Path, origin: str) -> bool:
     if (path / WEIGHTS).exists():
         return False
     there = [name for name in _SCHEMAS if (path / name).exists()]
-    return not any(_read_table(path, name, origin).num_rows for name in there)
+    return not any(read_table(path, name, origin).num_rows for name in there)
 
 
 def _check_together(path: Path, state: RunState) -> None:
@@ -97,7 +95,24 @@ def _check_together(path: Path, state: RunState) -> None:
         )
 
 
-def _read_table(path: Path, name: str, origin: str) -> pa.Table:
+def read_learner(path: Path, origin: str) -> LinearQ:
+    """Read the weights of a run.
+
+    Raises:
+        RunFolderError: if they are missing, damaged or of another run.
+    """
+    learner = _read(path / WEIGHTS, LinearQ.load)
+    if learner.origin != origin:
+        raise RunFolderError(f"{path / WEIGHTS} is from another run")
+    return learner
+
+
+def read_table(path: Path, name: str, origin: str) -> pa.Table:
+    """Read one of the two tables of a run.
+
+    Raises:
+        RunFolderError: if it is missing, damaged or of another run.
+    """
     schema = _SCHEMAS[name]
     reader = partial(tables.read, schema=schema, origin=origin, of="run")
     return _read(path / name, reader)

@@ -27,7 +27,8 @@ from prospect_mj.experiment.records import (
     trial_table,
 )
 from prospect_mj.experiment.run_files import ACTIONS, CONFIG, CURVE, TRIALS, WEIGHTS
-from prospect_mj.experiment.training import FinishedTrial, new_learner
+from prospect_mj.experiment.training import new_learner
+from prospect_mj.experiment.trial_loop import FinishedTrial
 from prospect_mj.locking import LockedFolder
 from prospect_mj.storage import replace_file
 

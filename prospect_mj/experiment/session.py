@@ -87,7 +87,7 @@ def resume(
         RunFolderError: if the folder can't be used or holds another run.
     """
     with RunFolder.open(path) as folder:
-        _check_same_run(folder, config)
+        check_same_run(path, folder.config, config)
         if folder.n_trials == config.trials and folder.is_finished:
             say(f"{path} is finished: all of its {config.trials} trials are done")
             return None
@@ -97,18 +97,26 @@ def resume(
             return _finish(folder, env, kept)
 
 
-def _check_same_run(folder: RunFolder, config: TrainConfig) -> None:
-    stored = folder.config
+def check_same_run(path: Path, stored: TrainConfig, config: TrainConfig) -> None:
+    """Refuse to go on with another run, or with one that has more trials.
+
+    Args:
+        path: its folder.
+        stored: what it is.
+        config: what is wanted.
+
+    Raises:
+        RunFolderError: with the first difference.
+    """
     if config.trials < stored.trials:
         raise RunFolderError(
-            f"{folder.path} has {stored.trials} trials; --trials can only add to them"
+            f"{path} has {stored.trials} trials; --trials can only add to them"
         )
     if config != stored.with_trials(config.trials):
         wanted, had = _flat(asdict(config)), _flat(asdict(stored))
         name = next(key for key in had if key != "trials" and had[key] != wanted[key])
         raise RunFolderError(
-            f"{folder.path} is another run: its {name} is {had[name]}, "
-            f"not {wanted[name]}"
+            f"{path} is another run: its {name} is {had[name]}, not {wanted[name]}"
         )
 
 
@@ -127,12 +135,12 @@ def _finish(folder: RunFolder, env: Environment, kept: Kept | None) -> Summary:
     """Run what is left, draw the learning curve and sum up."""
     first_trial, began = folder.n_trials, time.perf_counter()
     keeper = None if kept is None else _keeper(folder, env, kept)
-    with Progress(folder) as progress:
+    with Progress(folder, folder.config.trials) as progress:
         for finished in train(folder.config, env, folder.learner, first_trial):
             if keeper is not None:
                 keeper.look_at(finished.trial)
             folder.commit(finished)
-            progress.advance(folder)
+            progress.advance()
     folder.write_curve(_curve(folder))
     return Summary.of(folder, first_trial, time.perf_counter() - began)
 

@@ -9,7 +9,7 @@ import numpy as np
 from prospect_mj.experiment.learning_curve import (
     NEAR_OPTIMAL,
     WINDOW,
-    first_near_optimal_window,
+    near_optimal_trial,
 )
 from prospect_mj.experiment.run_folder import RunFolder
 
@@ -44,13 +44,12 @@ class Summary:
         actions = folder.trials["n_actions"].to_numpy()
         seconds = folder.trials["sim_seconds"].to_numpy()
         pretrain = min(folder.config.pretrain, len(actions))
-        reached = first_near_optimal_window(actions[pretrain:])
         return cls(
             trials=len(actions),
             pretrain=pretrain,
             first_mean=float(np.mean(actions[:WINDOW])),
             last_mean=float(np.mean(actions[-WINDOW:])),
-            near_optimal=None if reached is None else pretrain + reached,
+            near_optimal=near_optimal_trial(actions, pretrain),
             sim_seconds=float(np.sum(seconds)),
             session_sim_seconds=float(np.sum(seconds[first_trial:])),
             wall_seconds=wall_seconds,

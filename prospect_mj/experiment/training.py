@@ -7,16 +7,14 @@ go on bit for bit like one that was never stopped.
 
 from collections.abc import Iterator
 from enum import IntEnum
-from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from prospect_mj.agent import LinearQ
-from prospect_mj.agent.linear_q import Choice
+from prospect_mj.experiment import trial_loop
 from prospect_mj.experiment.config import TrainConfig
-from prospect_mj.experiment.environment import Environment, Info
-from prospect_mj.experiment.records import ACTION_NAMES, ActionRecord, TrialRecord
+from prospect_mj.experiment.environment import Environment
+from prospect_mj.experiment.trial_loop import FinishedTrial, Presented, Transition
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
 
@@ -28,18 +26,14 @@ class Stream(IntEnum):
     AGENT = 2
 
 
-class FinishedTrial(NamedTuple):
-    """One trial's records."""
-
-    trial: TrialRecord
-    """The trial as a whole."""
-    actions: tuple[ActionRecord, ...]
-    """Its actions in order, at least one."""
-
-
 def trial_seed(seed: int, trial: int, stream: Stream) -> np.random.SeedSequence:
     """Seed of one stream of one trial."""
     return np.random.SeedSequence(seed, spawn_key=(trial, int(stream)))
+
+
+def presentation_seed(seed: int, trial: int) -> int:
+    """What the environment draws a trial's presentation by, 32 bits."""
+    return int(trial_seed(seed, trial, Stream.PRESENTATION).generate_state(1)[0])
 
 
 def new_learner(config: TrainConfig, origin: str = "") -> LinearQ:
@@ -80,95 +74,27 @@ def run_trial(
 ) -> FinishedTrial:
     """Present the jar once and learn from every action until the trial ends."""
     rng = np.random.default_rng(trial_seed(config.seed, trial, Stream.AGENT))
-    presentation = trial_seed(config.seed, trial, Stream.PRESENTATION)
-    orientation = presented_orientation(config, trial)
-    features, first_info = env.reset(
-        seed=int(presentation.generate_state(1)[0]),
-        options={"orientation": orientation, "trial": trial},
-    )
-    info, actions, ended = first_info, [], False
-    while not ended:
-        transition = _act(env, learner, rng, features, info)
-        _learn(config, learner, features, transition)
-        actions.append(_action_record(trial, len(actions), info, transition))
-        features, info = transition.next_features, transition.next_info
-        ended = transition.terminated or transition.truncated
-    return FinishedTrial(
-        _trial_record(config, orientation, first_info, actions), tuple(actions)
+    presented = Presented(
+        trial,
+        presented_orientation(config, trial),
+        presentation_seed(config.seed, trial),
+        counted_as=trial,
+        pretraining=trial < config.pretrain,
     )
 
+    def learn(transition: Transition) -> None:
+        _learn(config, learner, transition)
 
-class _Transition(NamedTuple):
-    choice: Choice
-    next_features: NDArray[np.float64]
-    reward: float
-    terminated: bool
-    truncated: bool
-    next_info: Info
+    return trial_loop.run(env, presented, learner, rng, learn)
 
 
-def _act(
-    env: Environment,
-    learner: LinearQ,
-    rng: np.random.Generator,
-    features: NDArray[np.float64],
-    info: Info,
-) -> _Transition:
-    choice = learner.choose(features, rng, info["action_mask"])
-    return _Transition(choice, *env.step(choice.action))
-
-
-def _learn(
-    config: TrainConfig,
-    learner: LinearQ,
-    features: NDArray[np.float64],
-    transition: _Transition,
-) -> None:
+def _learn(config: TrainConfig, learner: LinearQ, transition: Transition) -> None:
     cut_off = transition.truncated and not config.bootstrap_at_truncation
     learner.update(
-        features,
+        transition.features,
         transition.choice.action,
         transition.reward,
         transition.next_features,
         transition.terminated or cut_off,
         transition.next_info["action_mask"],
-    )
-
-
-def _action_record(
-    trial: int, step: int, info: Info, transition: _Transition
-) -> ActionRecord:
-    choice, outcome = transition.choice, transition.next_info
-    return ActionRecord(
-        trial=trial,
-        step=step,
-        action=choice.action,
-        action_name=ACTION_NAMES[choice.action],
-        explored=choice.explored,
-        holding=str(info["holding"]),
-        q_values=tuple(choice.q_values.tolist()),
-        executed=bool(outcome["executed"]),
-        result=str(outcome["result"]),
-        next_holding=str(outcome["holding"]),
-        reward=float(transition.reward),
-        sim_seconds=float(outcome["sim_seconds"]),
-        inserted=bool(outcome["inserted"]),
-    )
-
-
-def _trial_record(
-    config: TrainConfig,
-    orientation: Orientation,
-    first_info: Info,
-    actions: list[ActionRecord],
-) -> TrialRecord:
-    trial = actions[0].trial
-    return TrialRecord(
-        trial=trial,
-        orientation=orientation,
-        pretraining=trial < config.pretrain,
-        look=str(first_info["result"]),
-        n_actions=len(actions),
-        solved=actions[-1].inserted,
-        sim_seconds=sum(action.sim_seconds for action in actions),
     )

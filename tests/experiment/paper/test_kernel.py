@@ -15,7 +15,6 @@ from prospect_mj.experiment.paper.populations.outcome_graph import (
     HANDS,
     ideal_graph,
     ideal_root,
-    phases,
 )
 from prospect_mj.experiment.paper.populations.plain import learn_plainly
 from prospect_mj.experiment.paper.populations.population import learn
@@ -24,6 +23,7 @@ from prospect_mj.experiment.paper.populations.scenario import (
     PopulationSettings,
     Scenario,
 )
+from prospect_mj.recording.choices import phases
 from prospect_mj.recording.recording import Recording
 from prospect_mj.supervisor.supervisor import Supervisor
 
@@ -185,8 +185,8 @@ def test_weights_and_graph_must_fit_too():
 
 def test_a_trials_phase_is_that_of_its_schedule():
     supervisor = Supervisor("none", ("swap-left-to-right:2", "swap-right-to-left:4"))
-    assert phases(supervisor, 6).tolist() == [0, 0, 1, 1, 2, 2]
-    assert phases(Supervisor(), 3).tolist() == [0, 0, 0]
+    assert phases(supervisor, range(6)).tolist() == [0, 0, 1, 1, 2, 2]
+    assert phases(Supervisor(), range(3)).tolist() == [0, 0, 0]
 
 
 def test_a_disabled_action_is_not_taken_before_its_trial(odd):

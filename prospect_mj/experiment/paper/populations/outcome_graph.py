@@ -1,9 +1,6 @@
 """Graphs of outcomes that the compiled learner walks on: recorded ones, ideal ones."""
 
-from collections.abc import Sequence
-
 import numpy as np
-from numpy.typing import NDArray
 
 from prospect_mj.actions.action import Action
 from prospect_mj.experiment.paper.populations.kernel import Graph
@@ -12,9 +9,9 @@ from prospect_mj.experiment.paper.populations.strategies import (
     INSERTIONS,
     SWAPS,
 )
+from prospect_mj.recording.choices import choice_sets
 from prospect_mj.recording.hands import LEFT, NONE, RIGHT
 from prospect_mj.recording.recording import Recording
-from prospect_mj.supervisor.predicates import PredicateState
 from prospect_mj.supervisor.supervisor import Supervisor
 
 HANDS = (LEFT, RIGHT)
@@ -38,26 +35,8 @@ def recorded_graph(recording: Recording, supervisor: Supervisor) -> Graph:
         inserted=np.array(nodes.inserted, np.bool_),
         holding=np.array(nodes.holding, np.int64),
         state=np.array(nodes.predicates, np.int32),
-        choices=_choices(supervisor, recording.predicates.states),
+        choices=choice_sets(supervisor, recording.predicates.states).astype(bool),
     )
-
-
-def phases(supervisor: Supervisor, n_trials: int) -> NDArray[np.int32]:
-    """The phase of the shaping schedule (n_trials,) in which each trial is."""
-    begins = np.array(supervisor.schedule.phases)
-    numbers = np.searchsorted(begins, np.arange(n_trials), side="right") - 1
-    return numbers.astype(np.int32)
-
-
-def _choices(
-    supervisor: Supervisor, states: Sequence[PredicateState]
-) -> NDArray[np.bool_]:
-    """(phases, s, 6): what may be chosen."""
-    masks = [
-        [supervisor.choice_set(state, trial) for state in states]
-        for trial in supervisor.schedule.phases
-    ]
-    return np.array(masks, np.bool_)
 
 
 def ideal_graph() -> Graph:

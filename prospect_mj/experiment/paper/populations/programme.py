@@ -16,13 +16,13 @@ from prospect_mj.agent.features import StateFeatureGenerator
 from prospect_mj.experiment.paper.populations.kernel import Trials
 from prospect_mj.experiment.paper.populations.outcome_graph import (
     HANDS,
-    phases,
     recorded_graph,
 )
 from prospect_mj.experiment.paper.populations.scenario import (
     PopulationSettings,
     Scenario,
 )
+from prospect_mj.recording.choices import phases
 from prospect_mj.recording.hands import LEFT
 from prospect_mj.recording.recording import Recording
 from prospect_mj.supervisor.supervisor import Supervisor
@@ -74,7 +74,7 @@ class Programme:
         self.supervisor = Supervisor(settings.supervisor, settings.shaping)
         self.graph = recorded_graph(recording, self.supervisor)
         self.generator = StateFeatureGenerator(settings.features)
-        self._phase = phases(self.supervisor, scenario.trials)
+        self._phase = phases(self.supervisor, np.arange(scenario.trials))
         self._shown = _shown(recording, settings)
         self._histograms = recording.presentations.histogram.astype(np.float64)
         self._visual = self._scaled(self._histograms)

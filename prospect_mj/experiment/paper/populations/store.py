@@ -44,6 +44,7 @@ CODE = (
     "experiment/paper/populations/programme.py",
     "experiment/paper/populations/scenario.py",
     "experiment/paper/populations/strategies.py",
+    "recording/choices.py",
 )
 """Files of the package, beside all code below the learner."""
 PACKAGES = ("numpy", "numba")

@@ -1,0 +1,97 @@
+"""Figures with 95 % confidence intervals."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+LEVEL = 0.95
+"""Of every interval."""
+RESAMPLES = 9999
+"""Of a bootstrap."""
+
+_Values = NDArray[np.number]
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A figure with its interval; NaN for what is not there."""
+
+    estimate: float
+    low: float
+    high: float
+
+    def within(self, least: float, most: float) -> Self:
+        """The same with an interval that leaves out what can't be."""
+        low, high = (float(np.clip(b, least, most)) for b in (self.low, self.high))
+        return replace(self, low=low, high=high)
+
+    def words(self, digits: int, scale: float = 1.0) -> str:
+        """Write it for people.
+
+        Args:
+            digits: after the point.
+            scale: what it is multiplied by, such as 100 for percent.
+        """
+        if np.isnan(self.estimate):
+            return "-"
+        value, low, high = (
+            f"{scale * part:.{digits}f}"
+            for part in (self.estimate, self.low, self.high)
+        )
+        return value if np.isnan(self.low) else f"{value} ({low} to {high})"
+
+
+def share(part: int, whole: int) -> Estimate:
+    """A share with Wilson's interval.
+
+    It leaves a chance where there was none: of 100 in 100 its lower bound is 96.3 %
+    (Wilson, Journal of the American Statistical Association 22, 1927).
+    """
+    bounds = stats.binomtest(part, whole).proportion_ci(LEVEL, method="wilson")
+    return Estimate(part / whole, float(bounds.low), float(bounds.high))
+
+
+def stratified_mean(groups: Sequence[_Values], rng: np.random.Generator) -> Estimate:
+    """The mean over all values with the percentile interval of the bootstrap.
+
+    It has no width where all values of each group are equal, however few they are.
+
+    Args:
+        groups: values (n,) of each, two at least, that are resampled by themselves.
+        rng: resamples.
+    """
+    size = sum(map(len, groups))
+
+    def pooled(*drawn: _Values, axis: int) -> _Values:
+        return np.sum([part.sum(axis=axis) for part in drawn], axis=0) / size
+
+    found = stats.bootstrap(
+        groups,
+        pooled,
+        n_resamples=RESAMPLES,
+        confidence_level=LEVEL,
+        method="percentile",
+        random_state=rng,
+    )
+    bounds = found.confidence_interval
+    estimate = float(pooled(*groups, axis=0))
+    return Estimate(estimate, float(bounds.low), float(bounds.high))
+
+
+def mean_of_few(values: Sequence[float]) -> Estimate:
+    """The mean of a few values with Student's interval.
+
+    Args:
+        values: none gives NaN for all, a single one for the bounds.
+    """
+    if not len(values):
+        return Estimate(np.nan, np.nan, np.nan)
+    mean = float(np.mean(values))
+    if len(values) == 1:
+        return Estimate(mean, np.nan, np.nan)
+    reach = float(stats.t.ppf((1 + LEVEL) / 2, len(values) - 1) * stats.sem(values))
+    return Estimate(mean, mean - reach, mean + reach)

@@ -1,0 +1,1 @@
+"""Measuring a learned policy on presentations that no training has shown."""

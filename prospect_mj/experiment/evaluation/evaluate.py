@@ -1,0 +1,139 @@
+"""The greedy policy of a run on fresh presentations.
+
+Greedy: no exploration and no learning; ties between equal values are broken as in
+training.
+"""
+
+from collections.abc import Callable, Iterator
+from contextlib import closing
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from prospect_mj.agent import LinearQ
+from prospect_mj.errors import RunFolderError
+from prospect_mj.experiment import trial_loop
+from prospect_mj.experiment.environment import (
+    Environment,
+    MakeEnvironment,
+    make_environment,
+)
+from prospect_mj.experiment.evaluation import evaluation_file, places
+from prospect_mj.experiment.evaluation.evaluation_file import Learned, StoredEvaluation
+from prospect_mj.experiment.evaluation.evaluation_folder import (
+    EvaluationFolder,
+    is_begun,
+)
+from prospect_mj.experiment.evaluation.settings import EvaluationSettings
+from prospect_mj.experiment.kept_episodes import Kept
+from prospect_mj.experiment.progress import Progress
+from prospect_mj.experiment.run_view import RunView
+from prospect_mj.experiment.trial_loop import FinishedTrial, Presented
+
+if TYPE_CHECKING:
+    from prospect_mj.experiment.episode_keeper import EpisodeKeeper
+
+Say = Callable[[str], None]
+
+
+def evaluate(
+    run: RunView,
+    settings: EvaluationSettings,
+    out: Path | None = None,
+    make_env: MakeEnvironment = make_environment,
+    say: Say = print,
+    kept: Kept | None = None,
+) -> RunView:
+    """Evaluate a run, or go on with an evaluation that was stopped.
+
+    Args:
+        run: the run, as far as it has come.
+        settings: of the evaluation.
+        out: its folder; None for one in that of the run.
+        make_env: makes the environment.
+        say: told where it is as soon as there is something to find there.
+        kept: which trials are kept as episodes; None: none.
+
+    Returns:
+        The finished evaluation.
+
+    Raises:
+        RunFolderError: if `run` is no run, or `out` can't be had; nothing was written.
+    """
+    if run.evaluation is not None:
+        raise RunFolderError(f"{run.path} is an evaluation, not a run")
+    config = settings.config(run.config)
+    learned = Learned(run.origin, run.n_trials)
+    wanted = evaluation_file.present(config, settings, learned)
+    path = places.place(run.path, wanted, out)
+    if is_begun(path):
+        _go_on(path, make_env, say, kept)
+    else:
+        with (
+            closing(make_env(config)) as env,
+            EvaluationFolder.create(path, wanted, run.learner) as folder,
+        ):
+            _finish(folder, env, say, kept)
+    return RunView.read(path)
+
+
+def policy(learner: LinearQ) -> LinearQ:
+    """The same learner without exploration."""
+    greedy = LinearQ(replace(learner.settings, epsilon=0.0))
+    greedy.weights[:] = learner.weights
+    return greedy
+
+
+def trials(
+    evaluation: StoredEvaluation, env: Environment, learner: LinearQ, first: int = 0
+) -> Iterator[FinishedTrial]:
+    """Run the trials of an evaluation from a number on, each as it is asked for.
+
+    Args:
+        evaluation: what it is.
+        env: where the actions happen.
+        learner: what is evaluated.
+        first: number of the first trial.
+    """
+    settings, greedy = evaluation.settings, policy(learner)
+    for trial in range(first, settings.n_trials):
+        presented = Presented(
+            trial,
+            settings.orientation(trial),
+            settings.presentation_seed(trial),
+            # A shaping schedule stays where the training had come to.
+            counted_as=evaluation.learned.trials,
+        )
+        yield trial_loop.run(env, presented, greedy, settings.policy_rng(trial))
+
+
+def _go_on(path: Path, make_env: MakeEnvironment, say: Say, kept: Kept | None) -> None:
+    with EvaluationFolder.open(path) as folder:
+        if folder.n_trials == folder.evaluation.settings.n_trials:
+            say(f"{path} is finished")
+            return
+        with closing(make_env(folder.evaluation.config)) as env:
+            _finish(folder, env, say, kept)
+
+
+def _finish(
+    folder: EvaluationFolder, env: Environment, say: Say, kept: Kept | None
+) -> None:
+    """Run what is left."""
+    evaluation, first = folder.evaluation, folder.n_trials
+    told = f"at trial {first}" if first else "the same command goes on after a stop"
+    say(f"evaluating in {folder.path}; {told}")
+    keeper = None if kept is None else _keeper(folder, env, kept)
+    with Progress(folder, evaluation.settings.n_trials) as progress:
+        for finished in trials(evaluation, env, folder.state.learner, first):
+            if keeper is not None:
+                keeper.look_at(finished.trial)
+            folder.commit(finished)
+            progress.advance()
+
+
+def _keeper(folder: EvaluationFolder, env: Environment, kept: Kept) -> "EpisodeKeeper":
+    # Where nothing is to be seen, nothing of MuJoCo is loaded.
+    from prospect_mj.experiment.episode_keeper import EpisodeKeeper
+
+    return EpisodeKeeper(folder.path, folder.evaluation.origin, env.watch(), kept)

@@ -1,0 +1,124 @@
+"""The folder of an evaluation, which survives being killed at any moment.
+
+    evaluation.yaml  what is evaluated, settings, versions and digests
+    weights.npz      the learner, as the run had it then
+    actions.parquet  one row per action (`records.ActionRecord`)
+    trials.parquet   one row per trial (`records.TrialRecord`)
+    episodes         the trials that were kept for replay
+
+They are written in this order, each as a whole. With its weights an evaluation is
+begun: the run may learn on meanwhile. Its finished trials are those in the last table.
+"""
+
+from pathlib import Path
+from typing import Self
+
+import pyarrow as pa
+
+from prospect_mj.agent import LinearQ
+from prospect_mj.errors import RunFolderError
+from prospect_mj.experiment.evaluation import evaluation_file, state
+from prospect_mj.experiment.evaluation.evaluation_file import StoredEvaluation
+from prospect_mj.experiment.folder_guard import check_vacant
+from prospect_mj.experiment.records import action_table, trial_table
+from prospect_mj.experiment.run_files import WEIGHTS, RunState
+from prospect_mj.experiment.trial_loop import FinishedTrial
+from prospect_mj.locking import LockedFolder
+from prospect_mj.storage import temporary
+from prospect_mj.tables import appended
+
+
+class EvaluationFolder(LockedFolder):
+    """An open evaluation: what it is, its learner and tables, for one process.
+
+    Attributes:
+        path: the folder.
+        evaluation: what it is.
+        state: the learner, and the finished trials.
+    """
+
+    def __init__(self, path: Path, evaluation: StoredEvaluation) -> None:
+        """Use `create` or `open` instead."""
+        super().__init__(path)
+        self.evaluation = evaluation
+        self.state: RunState
+
+    @classmethod
+    def create(cls, path: Path, evaluation: StoredEvaluation, learner: LinearQ) -> Self:
+        """Begin an evaluation in a new or empty folder.
+
+        Args:
+            path: the folder.
+            evaluation: what it is.
+            learner: the run's.
+
+        Raises:
+            RunFolderError: if the folder is occupied or can't be written.
+        """
+        try:
+            path.mkdir(parents=True, exist_ok=True)
+            folder = cls(path, evaluation)
+            with folder.closed_if_it_fails():
+                check_free(path)
+                evaluation_file.write(path, evaluation)
+                folder.state = state.begin(path, _marked(learner, evaluation.origin))
+        except OSError as error:
+            words = f"{path} can't be written: {error.strerror}"
+            raise RunFolderError(words) from error
+        return folder
+
+    @classmethod
+    def open(cls, path: Path) -> Self:
+        """Open an evaluation where its last finished trial left it.
+
+        Raises:
+            RunFolderError: if it is none or is damaged.
+            FolderInUse: if another process works in it.
+        """
+        folder = cls(path, evaluation_file.read(path))
+        with folder.closed_if_it_fails():
+            folder.state = state.read_state(path, folder.evaluation.origin)
+        return folder
+
+    @property
+    def trials(self) -> pa.Table:
+        """Table under `records.TRIAL_SCHEMA` of the finished trials."""
+        return self.state.trials
+
+    @property
+    def n_trials(self) -> int:
+        """Finished trials."""
+        return self.trials.num_rows
+
+    def commit(self, finished: FinishedTrial) -> None:
+        """Make a finished trial permanent."""
+        actions = appended(self.state.actions, action_table(finished.actions))
+        trials = appended(self.trials, trial_table([finished.trial]))
+        self.state = RunState(self.state.learner, actions, trials)
+        state.write_tables(self.path, self.state)
+
+
+def is_begun(path: Path) -> bool:
+    """Whether there is an evaluation that can be gone on with."""
+    return evaluation_file.is_in(path) and (path / WEIGHTS).exists()
+
+
+def check_free(path: Path) -> None:
+    """Refuse a folder that a new evaluation can't have, without touching it.
+
+    Raises:
+        RunFolderError: if `path` is a file, or a folder with something in it.
+    """
+    # No more than an evaluation that was killed before it was begun.
+    description = path / evaluation_file.NAME
+    unborn = [description, temporary(description), temporary(path / WEIGHTS)]
+    own = [] if is_begun(path) else [file.name for file in unborn]
+    check_vacant(path, own, "choose another folder")
+
+
+def _marked(learner: LinearQ, origin: str) -> LinearQ:
+    """The same learner, in a file that belongs to the evaluation."""
+    copy = LinearQ(learner.settings, origin)
+    copy.weights[:] = learner.weights
+    copy.n_updates = learner.n_updates
+    return copy

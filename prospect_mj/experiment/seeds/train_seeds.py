@@ -1,0 +1,108 @@
+"""Training several seeds at once, and summing them up."""
+
+import warnings
+from collections.abc import Callable, Collection, Iterable, Sequence
+from dataclasses import asdict, replace
+from pathlib import Path
+
+import numpy as np
+import yaml
+
+from prospect_mj.errors import RunFolderError
+from prospect_mj.experiment.config import TrainConfig
+from prospect_mj.experiment.environment import MakeEnvironment, make_environment
+from prospect_mj.experiment.kept_episodes import Kept
+from prospect_mj.experiment.run_view import RunView
+from prospect_mj.experiment.seeds import seeds_folder, side_by_side
+from prospect_mj.experiment.seeds.curves_figure import learning_curves
+from prospect_mj.experiment.seeds.seeds_folder import CURVES, FIGURES, SUMMARY
+from prospect_mj.experiment.seeds.seeds_progress import SeedsProgress
+from prospect_mj.experiment.seeds.seeds_summary import SeedsSummary
+from prospect_mj.experiment.seeds.side_by_side import Wanted, folder_name
+from prospect_mj.locking import LockedFolder
+from prospect_mj.storage import make_folder, replace_file
+
+Say = Callable[[str], None]
+
+
+def train_seeds(
+    config: TrainConfig,
+    seeds: Sequence[int],
+    out: Path,
+    jobs: int,
+    make_env: MakeEnvironment = make_environment,
+    say: Say = print,
+    kept: Kept | None = None,
+) -> SeedsSummary:
+    """Bring a run of each seed to its end, and sum them up in their folder.
+
+    What was finished is left as it is, what was stopped goes on.
+
+    Args:
+        config: the runs, their seeds apart.
+        seeds: of the runs, each once.
+        out: folder of their folders.
+        jobs: processes.
+        make_env: makes the environment.
+        say: told where they are as soon as there is something to find there.
+        kept: which trials of each are kept as episodes; None: none.
+
+    Raises:
+        RunFolderError: if `out` can't be had, or something else is in it: nothing was
+            written then; or if a run failed.
+        ChildProcessError: if machine or physics failed in a run.
+    """
+    runs = [
+        Wanted(out / folder_name(seed), replace(config, seed=seed), make_env, kept)
+        for seed in seeds
+    ]
+    seeds_folder.check(out, runs)
+    left = [run for run in runs if not seeds_folder.is_finished(run)]
+    told = _told_at_start(left[0]) if left else set()
+    make_folder(out, RunFolderError)
+    with LockedFolder(out):
+        if left:
+            say(f"training in {out}; the same command goes on after a stop")
+            _finish(left, jobs, told)
+        return _sum_up(out, [RunView.read(run.path) for run in runs])
+
+
+def _told_at_start(run: Wanted) -> set[str]:
+    """What is wrong with the physics is found, and told, before anything is written."""
+    with warnings.catch_warnings(record=True) as caught:
+        run.make_env(run.config).close()
+    told = [str(one.message) for one in caught]
+    _warn(told)
+    return set(told)
+
+
+def _warn(told: Iterable[str]) -> None:
+    """Tell once what several runs say alike."""
+    for words in dict.fromkeys(told):
+        warnings.warn(words, stacklevel=3)
+
+
+def _finish(runs: Sequence[Wanted], jobs: int, told: Collection[str]) -> None:
+    """Bring runs to their end; what they warn of is told, but for what was."""
+    total = sum(run.config.trials for run in runs)
+    ended = []
+    with SeedsProgress([run.path for run in runs], total) as progress:
+        for run in side_by_side.finish(runs, min(jobs, len(runs))):
+            ended.append(run)
+            progress.ended(run)
+    _warn(words for run in ended for words in run.warned if words not in told)
+    side_by_side.check_all_finished(ended)
+
+
+def _sum_up(out: Path, runs: Sequence[RunView]) -> SeedsSummary:
+    """Write figures and picture."""
+    summary, config = SeedsSummary.of(runs), runs[0].config
+    replace_file(out / SUMMARY, summary.markdown().encode())
+    figures = yaml.safe_dump(asdict(summary), sort_keys=False)
+    replace_file(out / FIGURES, figures.encode())
+    n_actions = np.array([run.trials["n_actions"].to_numpy() for run in runs])
+    # Any fixed seed: the same runs give the same picture.
+    rng = np.random.default_rng(0)
+    picture = learning_curves(n_actions, config.pretrain, config.max_actions, rng)
+    replace_file(out / CURVES, picture)
+    return summary

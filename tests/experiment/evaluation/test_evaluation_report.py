@@ -1,0 +1,80 @@
+"""The figures of an evaluation, and what is said of them."""
+
+import shlex
+
+import numpy as np
+import pytest
+from ideal_env import IdealEnv
+from left_handed import left_handed
+
+from prospect_mj.cli import command_line
+from prospect_mj.cli.replay import ReplayOptions
+from prospect_mj.errors import InvalidValue
+from prospect_mj.experiment.evaluation.evaluate import evaluate
+from prospect_mj.experiment.evaluation.report import Report
+from prospect_mj.experiment.evaluation.settings import EvaluationSettings
+from prospect_mj.experiment.evaluation.text import text
+
+
+@pytest.fixture(scope="module")
+def view(tmp_path_factory):
+    run = left_handed(tmp_path_factory.mktemp("made") / "a run")
+    settings = EvaluationSettings(trials=4)
+    return evaluate(run, settings, make_env=IdealEnv, say=lambda words: None)
+
+
+@pytest.fixture(scope="module")
+def report(view):
+    return Report.of(view)
+
+
+def test_figures_are_of_each_orientation_and_of_all(report):
+    left, right, both = (report.outcomes[name] for name in ("left", "right", "all"))
+    assert (left.trials, left.solved, left.actions.estimate) == (4, 4, 2.0)
+    assert (right.trials, right.solved, right.actions.estimate) == (4, 0, 10.0)
+    assert (both.trials, both.solved, both.actions.estimate) == (8, 4, 6.0)
+    assert both.success.estimate == 0.5
+    assert left.strategies == {"optimal": 4, "early": 0, "late": 0, "other": 0}
+    assert right.strategies == {"optimal": 0, "early": 0, "late": 0, "other": 4}
+
+
+def test_each_orientation_is_resampled_by_itself(report):
+    # Each always takes the same: that one takes longer is no uncertainty of the mean.
+    actions = report.outcomes["all"].actions
+    assert (actions.low, actions.high) == (6.0, 6.0)
+
+
+def test_failures_are_listed_with_the_command_that_replays_each(report, view):
+    assert [one.trial for one in report.failures] == [1, 3, 5, 7]
+    for one in report.failures:
+        prospect, command, *options = shlex.split(one.replay)
+        assert (prospect, command) == ("prospect", "replay")
+        told = command_line.parse(ReplayOptions, options, ReplayOptions(), "replay")
+        assert (told.run, told.trial) == (view.path, one.trial)
+        assert one.orientation == "right"
+        assert one.actions == ("grasp-left (done)", *["insert-left (refused)"] * 9)
+    assert report.longer == ()
+
+
+def test_the_text_has_the_figures_and_the_commands(report, view):
+    words = text(report)
+    (row,) = (line for line in words.splitlines() if line.startswith("lid left"))
+    assert row.split()[:3] == ["lid", "left", "4"]
+    assert "100.0 (51.0 to 100.0)" in row
+    assert "9 x insert-left (refused)" in words
+    assert all(one.replay in words for one in report.failures)
+    assert "more than 2" not in words
+    assert "more than 2 actions: none" in text(report, longer=True)
+
+
+def test_longer_ones_are_the_solved_that_took_more_than_the_optimum(view, report):
+    index = view.trials.schema.get_field_index("n_actions")
+    taken = np.array([2, 10, 3, 10, 2, 10, 4, 10], np.int16)
+    changed = view.trials.set_column(index, "n_actions", [taken])
+    longer = Report.of(type(view)(**{**vars(view), "trials": changed})).longer
+    assert [one.trial for one in longer] == [2, 6]
+
+
+def test_a_run_has_no_report(tmp_path):
+    with pytest.raises(InvalidValue, match="an evaluation"):
+        Report.of(left_handed(tmp_path / "run"))
