@@ -1,0 +1,1 @@
+"""Pictures of one run: what it did, what it learned, and how its hands closed."""

@@ -1,0 +1,106 @@
+"""All pictures of one run."""
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+from tqdm import tqdm
+
+from prospect_mj.agent import StateFeatureGenerator
+from prospect_mj.experiment.kept_episodes import kept_trials
+from prospect_mj.experiment.portraits.decisive_bins import MadeUpMind
+from prospect_mj.experiment.portraits.histograms import SeenHistograms
+from prospect_mj.experiment.portraits.run_frame import name_of
+from prospect_mj.experiment.portraits.start_value_picture import start_values
+from prospect_mj.experiment.portraits.strategy_picture import strategies
+from prospect_mj.experiment.portraits.weights_picture import weights
+from prospect_mj.experiment.run_view import RunView
+from prospect_mj.task.presentation import Orientation
+
+STRATEGIES = "strategies.png"
+VALUES = "q_values.png"
+WEIGHTS = "weights.png"
+GRASPS = "grasp_portraits.png"
+MISLED = "misled_grasps.png"
+
+Draw = Callable[[], bytes]
+Say = Callable[[str], None]
+
+
+def draw(run: RunView, n_misled: int, say: Say) -> dict[str, bytes]:
+    """Draw all that there is of a run.
+
+    Args:
+        run: the run.
+        n_misled: grasps to simulate with a wrong pose of the jar; see `misled_grasps`.
+        say: told what can't be drawn, and why.
+
+    Returns:
+        Pictures as PNG, by the names of their files.
+
+    Raises:
+        EpisodeError: if a kept episode is damaged or of another run.
+        RecordingError: if the run kept no episodes, and the recording is damaged.
+        RenderingUnavailable: if grasps are to be simulated without OpenGL.
+    """
+    work: dict[str, Draw] = {
+        STRATEGIES: lambda: strategies(run),
+        VALUES: lambda: start_values(run),
+    }
+    if kept_trials(run.path):
+        work |= _of_episodes(run)
+    else:
+        work[WEIGHTS] = lambda: _weights(run, {})
+    if n_misled:
+        work[MISLED] = lambda: _misled(run, n_misled)
+    elif GRASPS not in work:
+        say(_why_no_grasps(run))
+    bar = tqdm(work.items(), "drawing", unit="picture", disable=None, leave=False)
+    return {name: picture() for name, picture in bar}
+
+
+def _of_episodes(run: RunView) -> dict[str, Draw]:
+    # Where nothing was simulated, nothing of MuJoCo is loaded.
+    from prospect_mj.experiment.portraits.grasp_picture import portraits
+    from prospect_mj.experiment.portraits.kept_material import read_kept
+
+    kept = read_kept(run)
+    work: dict[str, Draw] = {WEIGHTS: lambda: _weights(run, kept.counts)}
+    if kept.grasps:
+        of = f"{name_of(run)}: every grasp of the {kept.episodes} kept episodes"
+        work[GRASPS] = lambda: portraits(kept.grasps, of)
+    return work
+
+
+def _weights(run: RunView, kept: Mapping[Orientation, NDArray[np.int64]]) -> bytes:
+    settings = run.config.features
+    seen = SeenHistograms.of(kept, run.config)
+    mind = MadeUpMind.of(run.learner, StateFeatureGenerator(settings), seen.counts)
+    of = f"{name_of(run)}, after {run.n_trials} trials; histograms of {seen.source}"
+    return weights(mind, settings.reading, of)
+
+
+def _misled(run: RunView, n: int) -> bytes:
+    from prospect_mj.experiment.portraits.grasp_picture import portraits
+    from prospect_mj.experiment.portraits.misled_grasps import (
+        MisledSettings,
+        grasp_misled,
+    )
+
+    rng, wrong = np.random.default_rng(run.config.seed), MisledSettings()
+    grasps = list(grasp_misled(run.config, n, rng, wrong))
+    of = (
+        f"{len(grasps)} grasps of a jar that the robot is told to lie elsewhere: "
+        f"errors of {1000 * wrong.position_sd:g} mm and {wrong.angle_sd:g} rad"
+    )
+    return portraits(grasps, of)
+
+
+def _why_no_grasps(run: RunView) -> str:
+    if run.config.physics == "recorded":
+        why = "a run on recorded physics has no episodes"
+    elif kept_trials(run.path):
+        why = "no jar was grasped in the kept episodes"
+    else:
+        why = "the run kept no episodes, as --record every=50 of the training would"
+    return f"no {GRASPS}: {why}; --grasps 12 simulates some grasps"

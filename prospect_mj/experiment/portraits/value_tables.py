@@ -1,0 +1,70 @@
+"""Q-values as tables: a row per action, a column per state."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import SubFigure
+from matplotlib.patches import Rectangle
+
+from prospect_mj.experiment.paper.figures.figure_frame import (
+    INK,
+    SMALL,
+    VERMILION,
+)
+from prospect_mj.experiment.paper.measures.bootstrap import Floats
+from prospect_mj.task.presentation import Orientation
+
+_HELD = {"none": "no hand", "left": "left hand", "right": "right hand"}
+
+
+def draw_tables(
+    figure: SubFigure,
+    tables: Mapping[Orientation, Floats],
+    actions: Sequence[str],
+    holdings: Sequence[str],
+) -> None:
+    """Draw a table per orientation, side by side; the best of a state has a frame.
+
+    Args:
+        figure: where they go.
+        tables: (n_actions, n_states) [actions], by side of the lid.
+        actions: names of the rows.
+        holdings: who holds the jar in the state of each column.
+    """
+    panels = figure.subplots(1, len(tables), sharey=True)
+    low = min(table.min() for table in tables.values())
+    high = max(table.max() for table in tables.values())
+    for axes, (side, values) in zip(panels, tables.items(), strict=True):
+        axes.imshow(values, aspect="auto", cmap="cividis", vmin=low, vmax=high)
+        _write_numbers(axes, values, (low + high) / 2)
+        _frame_best(axes, values)
+        axes.set_xticks(range(len(holdings)), [_HELD[name] for name in holdings])
+        title = f"lid {side}: mean Q [actions], the best one framed\nthe jar is held by"
+        axes.set_title(title, loc="left", fontsize=SMALL, color=INK)
+        axes.xaxis.tick_top()
+        axes.tick_params(length=0, labelsize=SMALL)
+        axes.spines[:].set_visible(False)
+    panels[0].set_yticks(range(len(actions)), actions)
+
+
+def signed(value: float) -> str:
+    """A number with its sign, and with two decimals."""
+    # Adding zero makes a negative one positive.
+    return f"{round(value, 2) + 0.0:+.2f}".replace("-", "\N{MINUS SIGN}")
+
+
+def _write_numbers(axes: Axes, values: Floats, middle: float) -> None:
+    for (row, column), value in np.ndenumerate(values):
+        colour = "white" if value < middle else "black"
+        words = signed(value).removeprefix("+")
+        style = {"ha": "center", "va": "center", "fontsize": SMALL}
+        axes.text(column, row, words, color=colour, **style)
+
+
+def _frame_best(axes: Axes, values: Floats) -> None:
+    for column, row in enumerate(values.argmax(axis=0)):
+        corner = column - 0.47, row - 0.45
+        axes.add_patch(
+            Rectangle(corner, 0.94, 0.9, fill=False, edgecolor=VERMILION, lw=2)
+        )

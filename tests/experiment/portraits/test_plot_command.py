@@ -1,0 +1,135 @@
+"""`plot`: files, and one line for what can't be drawn."""
+
+import subprocess
+import sys
+
+import pytest
+from ideal_env import IdealEnv
+
+from prospect_mj.cli.plot import main
+from prospect_mj.episodes import episode_file
+from prospect_mj.experiment import session
+from prospect_mj.experiment.config import TrainConfig
+from prospect_mj.experiment.kept_episodes import path_of
+from prospect_mj.experiment.run_folder import RunFolder
+from prospect_mj.experiment.run_view import RunView
+
+ALWAYS = ["q_values.png", "strategies.png", "weights.png"]
+
+
+@pytest.fixture
+def run(tmp_path):
+    path = tmp_path / "run"
+    session.start(TrainConfig(trials=4), path, IdealEnv, say=lambda _: None)
+    return path
+
+
+def refused(capsys, *arguments):
+    """The one line on stderr."""
+    assert main([str(argument) for argument in arguments]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    (line,) = err.splitlines()
+    return line
+
+
+def names(folder):
+    return sorted(path.name for path in folder.iterdir())
+
+
+def test_pictures_go_into_the_runs_folder_and_say_what_is_missing(run, capsys):
+    assert main([str(run)]) == 0
+    assert names(run / "plots") == ALWAYS
+    out, err = capsys.readouterr()
+    assert sorted(out.split()) == [str(run / "plots" / name) for name in ALWAYS]
+    assert "--record every=50" in err
+    assert len(err.splitlines()) == 1
+
+
+def test_a_run_that_was_drawn_goes_on(run):
+    (run / "plots").mkdir()
+    (run / "plots" / "weights.png").touch()
+    config = TrainConfig(trials=6)
+    assert session.resume(run, config, IdealEnv, say=lambda _: None).trials == 6
+
+
+def test_nothing_is_overwritten(run, capsys):
+    out = run.parent / "pictures"
+    out.mkdir()
+    (out / "weights.png").write_text("mine")
+    line = refused(capsys, run, "--out", out)
+    assert "not empty" in line
+    assert "--out" in line
+    assert names(out) == ["weights.png"]
+    assert (out / "weights.png").read_text() == "mine"
+
+
+def test_a_file_in_the_folders_place_is_named(run, capsys):
+    line = refused(capsys, run, "--out", run / "config.yaml")
+    assert "is not a folder" in line
+
+
+def test_what_is_no_run_is_named(tmp_path, capsys):
+    assert "is not a run folder" in refused(capsys, tmp_path)
+    assert "is not a run folder" in refused(capsys, tmp_path / "nowhere")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_damaged_run_is_named_and_nothing_is_written(run, capsys):
+    (run / "trials.parquet").write_bytes(b"PAR1")
+    assert "trials.parquet" in refused(capsys, run)
+    assert not (run / "plots").exists()
+
+
+def test_a_damaged_episode_is_named_and_nothing_is_written(run, capsys):
+    (run / "episodes").mkdir()
+    (run / "episodes" / "trial-000002.npz").write_bytes(b"PK")
+    assert "trial-000002.npz" in refused(capsys, run)
+    assert not (run / "plots").exists()
+
+
+def test_a_run_without_a_finished_trial_is_named(tmp_path, capsys):
+    path = tmp_path / "young"
+    with RunFolder.create(path, TrainConfig(trials=4)):
+        assert "no finished trial yet" in refused(capsys, path)
+
+
+@pytest.mark.parametrize("number", ["-1", "1001"])
+def test_grasps_that_are_too_many_or_too_few_are_refused(run, capsys, number):
+    assert "--grasps" in refused(capsys, run, "--grasps", number)
+
+
+def test_recorded_physics_is_drawn_without_mujoco(tmp_path):
+    """A machine that only learns needs no OpenGL to look at what it learned."""
+    path = tmp_path / "run"
+    recorded = TrainConfig(trials=3, physics="recorded")
+    session.start(recorded, path, IdealEnv, say=lambda _: None)
+    code = (
+        "import sys\n"
+        "from prospect_mj.cli import plot\n"
+        f"assert plot.main([{str(path)!r}]) == 0\n"
+        "assert 'mujoco' not in sys.modules"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], check=True, capture_output=True, text=True
+    )
+    assert "recorded physics has no episodes" in done.stderr
+    assert names(path / "plots") == ALWAYS
+
+
+@pytest.mark.gl
+def test_grasps_of_a_run_that_kept_them_are_drawn(run, grasped, capsys):
+    path = path_of(run, 1)
+    path.parent.mkdir()
+    episode_file.write(path, grasped[1], RunView.read(run).origin)
+    assert main([str(run)]) == 0
+    assert names(run / "plots") == sorted([*ALWAYS, "grasp_portraits.png"])
+    assert capsys.readouterr().err == ""
+
+
+@pytest.mark.gl
+def test_an_episode_of_another_run_is_named(run, grasped, capsys):
+    path = path_of(run, 1)
+    path.parent.mkdir()
+    episode_file.write(path, grasped[1], "another")
+    assert "is from another run" in refused(capsys, run)
