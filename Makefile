@@ -12,6 +12,8 @@ BIN = $(VENV)/bin
 PIP_INSTALL = $(BIN)/python -m pip install --quiet --constraint constraints.txt
 RUNTIME = $(VENV)/.runtime-installed
 DEV = $(VENV)/.dev-installed
+AGENTS = $(VENV)/.agents-installed
+DOCS = $(VENV)/.docs-installed
 GL = $(VENV)/.gl-checked
 
 # Handed over as environment variables, so that the shell never parses their text.
@@ -20,23 +22,25 @@ export TRIALS RUNS OUT
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DEFAULT_GOAL = help
 .DELETE_ON_ERROR:
-.PHONY: help train reproduce live test lint study bench constraints clean
+.PHONY: help train reproduce live test lint study agents bench doctor docs tutorial \
+	constraints clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1|\2/p' Makefile | \
 	while IFS='|' read -r name text; do printf '  make %-12s %s\n' "$$name" "$$text"; done
-	@printf '\n  ARGS="..." hands further options to the command behind a target.\n'
+	@printf '\n  ARGS="..." hands further options to the command behind a target;\n'
+	@printf '  $(BIN)/prospect --help lists the commands that have no target.\n'
 
 train: $(RUNTIME) $(GL) ## train on live physics: TRIALS=1000, OUT=<new folder>
-	@$(BIN)/python scripts/train.py --trials="$$TRIALS" $${OUT:+--out="$$OUT"} $(ARGS)
+	@$(BIN)/prospect train --trials="$$TRIALS" $${OUT:+--out="$$OUT"} $(ARGS)
 
 reproduce: $(RUNTIME) ## the paper's experiment: RUNS=1000, TRIALS=1000, OUT=<folder>
-	@$(BIN)/python scripts/reproduce.py --runs="$$RUNS" --trials="$$TRIALS" \
+	@$(BIN)/prospect reproduce --runs="$$RUNS" --trials="$$TRIALS" \
 	$${OUT:+--out="$$OUT"} $(ARGS)
 
 live: RUNS = 20
 live: $(RUNTIME) $(GL) ## live runs to compare with, some hours: RUNS=20, OUT=<folder>
-	@$(BIN)/python scripts/live_runs.py --runs="$$RUNS" --trials="$$TRIALS" \
+	@$(BIN)/prospect live-runs --runs="$$RUNS" --trials="$$TRIALS" \
 	$${OUT:+--out="$$OUT"} $(ARGS)
 
 test: lint $(GL) ## lint, then every fast test
@@ -50,15 +54,30 @@ lint: $(DEV) ## style, format and import contracts
 study: $(DEV) $(GL) ## the slow studies: actions, reaches, supervisor, learning
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m slow --timeout 7200 $(ARGS)
 
+agents: $(DEV) $(AGENTS) $(GL) ## install Stable-Baselines3, and let the examples train
+	AGENTS=true $(BIN)/python -m pytest -m 'slow or not slow' tests/examples $(ARGS)
+
 bench: $(RUNTIME) $(GL) ## simulated seconds per wall second, and where the time goes
-	@$(BIN)/python scripts/bench.py $(ARGS)
+	@$(BIN)/prospect bench $(ARGS)
+
+doctor: $(RUNTIME) ## what is wrong with this machine, and how to mend it
+	@$(BIN)/prospect doctor $(ARGS)
+
+# Not --quiet: what is not printed is no warning to it, and so no error.
+docs: $(DOCS) ## the documentation as a site, in build/site; a warning is an error
+	@NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict $(ARGS)
+	@echo 'build/site/index.html; $(BIN)/mkdocs serve shows it while you write'
+
+tutorial: $(DEV) $(GL) ## run the tutorial as it is written, a minute or two
+	$(BIN)/python -m pytest -m slow tests/docs/test_tutorial.py $(ARGS)
 
 constraints: ## pin in constraints.txt what .venv holds now
 	@test -x $(BIN)/python || { echo 'error: no $(VENV) yet; run make test first' >&2; exit 2; }
 	@{ sed -n '/^#/p' constraints.txt; \
 	$(BIN)/python -m pip freeze --all --exclude-editable --exclude setuptools \
 	--exclude prospect-mj; } > constraints.txt.new
-	@mv constraints.txt.new constraints.txt
+	@sed 's/+cpu$$//' constraints.txt.new > constraints.txt
+	@rm constraints.txt.new
 
 clean: ## remove the virtual environment and every cache; runs/ stays
 	rm -rf $(VENV) build dist .pytest_cache .ruff_cache .import_linter_cache .hypothesis
@@ -76,6 +95,14 @@ $(RUNTIME): pyproject.toml constraints.txt
 
 $(DEV): $(RUNTIME)
 	@$(PIP_INSTALL) --group dev
+	@touch $@
+
+$(DOCS): $(RUNTIME)
+	@$(PIP_INSTALL) --group docs
+	@touch $@
+
+$(AGENTS): $(RUNTIME)
+	@$(PIP_INSTALL) --group agents
 	@touch $@
 
 $(GL): $(RUNTIME)

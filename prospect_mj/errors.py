@@ -68,6 +68,14 @@ class RenderingUnavailable(ProspectError):
     """No OpenGL context can be made; the message names the package to install."""
 
 
+class NoDisplay(ProspectError):
+    """No window can be opened; the message says what to do instead."""
+
+
+class MissingViewer(ProspectError):
+    """Rerun's viewer is not installed."""
+
+
 class MissingPackage(ProspectError):
     """A package of an optional extra that is not installed."""
 

@@ -1,9 +1,27 @@
 """The command line of the benchmark."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Annotated
+
+import tyro
+from tqdm import tqdm
 
 from prospect_mj.cli import command_line
+from prospect_mj.cli.output import Output
 from prospect_mj.experiment.bench import BenchConfig, bench
+
+
+@dataclass(frozen=True)
+class BenchOptions:
+    """Measure simulated seconds per wall second, and where the wall time goes."""
+
+    config: Annotated[BenchConfig, tyro.conf.arg(name="")] = field(
+        default_factory=BenchConfig
+    )
+    """What to measure."""
+    output: Annotated[Output, tyro.conf.arg(name="")] = field(default_factory=Output)
+    """What is printed."""
 
 
 def main(argv: Sequence[str] | None = None, prog: str = "bench.py") -> int:
@@ -16,8 +34,13 @@ def main(argv: Sequence[str] | None = None, prog: str = "bench.py") -> int:
     Returns:
         The exit code; see `command_line.run`.
     """
-    return command_line.main(_measure, BenchConfig(), prog, argv)
+    return command_line.main(_measure, BenchOptions(), prog, argv)
 
 
-def _measure(config: BenchConfig) -> None:
-    print(bench(config).report())
+def _measure(options: BenchOptions) -> None:
+    config = options.config
+    with tqdm(
+        total=config.trials, unit="trial", dynamic_ncols=True, disable=None
+    ) as bar:
+        found = bench(config, bar.update)
+    options.output.result(found.report(), found.figures())

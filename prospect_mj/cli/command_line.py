@@ -9,9 +9,7 @@ import sys
 import warnings
 from collections.abc import Callable, Sequence
 from itertools import dropwhile, takewhile
-from typing import TypeVar
-
-import tyro
+from typing import TYPE_CHECKING, TypeVar
 
 from prospect_mj.errors import (
     ProspectError,
@@ -19,6 +17,9 @@ from prospect_mj.errors import (
     UnfinishedRecording,
     UnforeseenEvent,
 )
+
+if TYPE_CHECKING:
+    import tyro
 
 FAILED = 1
 BAD_INPUT = 2
@@ -43,7 +44,7 @@ def parse(
     argv: Sequence[str],
     default: _Options,
     prog: str,
-    registry: tyro.constructors.ConstructorRegistry | None = None,
+    registry: "tyro.constructors.ConstructorRegistry | None" = None,
 ) -> _Options:
     """Parse a command line into a dataclass.
 
@@ -57,9 +58,14 @@ def parse(
     Raises:
         BadOptions: in one line, where tyro would draw a box.
     """
+    # Only here: the list of all commands is there without it in half the time.
+    import tyro
+
+    from prospect_mj.cli.help_text import joining_lines
+
     drawn = io.StringIO()
     try:
-        with contextlib.redirect_stderr(drawn):
+        with contextlib.redirect_stderr(drawn), joining_lines():
             return tyro.cli(
                 options, prog=prog, args=list(argv), default=default, registry=registry
             )

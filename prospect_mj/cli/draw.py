@@ -1,11 +1,16 @@
-"""The command line of the scripts that draw one picture."""
+"""The command lines that draw one picture of the documentation each."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from tqdm import tqdm
+
 from prospect_mj.cli import command_line
 from prospect_mj.errors import InvalidValue
+from prospect_mj.sim import gl
+
+IMAGES = Path("docs/images")
 
 
 @dataclass(frozen=True)
@@ -13,7 +18,7 @@ class DrawOptions:
     """Draw a picture of the documentation."""
 
     out: Path
-    """PNG file to write."""
+    """PNG file to write, also over an older one."""
 
     def __post_init__(self) -> None:
         """Refuse what is no picture's name, before anything is drawn."""
@@ -21,22 +26,80 @@ class DrawOptions:
             raise InvalidValue("--out", str(self.out), "a file that ends in .png")
 
 
-def main(picture: Callable[[], bytes], out: Path, prog: str) -> int:
+def automaton(
+    argv: Sequence[str] | None = None, prog: str = "draw_automaton.py"
+) -> int:
+    """Draw the supervised automaton for docs/supervisor.md."""
+    return main(_automaton, IMAGES / "automaton.png", prog, argv)
+
+
+def field(argv: Sequence[str] | None = None, prog: str = "draw_field.py") -> int:
+    """Draw a harmonic function over two joints for docs/gross_motion.md."""
+    return main(_field, IMAGES / "harmonic_field.png", prog, argv)
+
+
+def scene(argv: Sequence[str] | None = None, prog: str = "make_pictures.py") -> int:
+    """Draw the README's picture: a trial with a late correction in four frames."""
+    return main(_scene, IMAGES / "scene.png", prog, argv)
+
+
+def replay(argv: Sequence[str] | None = None, prog: str = "draw_replay.py") -> int:
+    """Draw what Rerun shows of a late correction, for the README."""
+    return main(_replay, IMAGES / "replay.png", prog, argv)
+
+
+def main(
+    picture: Callable[[], bytes],
+    out: Path,
+    prog: str,
+    argv: Sequence[str] | None = None,
+) -> int:
     """Draw as the command line says.
 
     Args:
         picture: draws it, as PNG.
         out: where it goes unless the command line says otherwise.
-        prog: the script's name.
+        prog: the name in its help.
+        argv: the arguments; None for those of the process.
 
     Returns:
         The exit code; see `command_line.run`.
     """
 
     def draw(options: DrawOptions) -> None:
-        content = picture()
+        with tqdm(total=1, unit="picture", dynamic_ncols=True, disable=None) as bar:
+            content = picture()
+            bar.update()
         options.out.parent.mkdir(parents=True, exist_ok=True)
         options.out.write_bytes(content)
         print(f"wrote {options.out}")
 
-    return command_line.main(draw, DrawOptions(out), prog)
+    return command_line.main(draw, DrawOptions(out), prog, argv)
+
+
+def _automaton() -> bytes:
+    from prospect_mj.experiment import automaton_plot
+
+    return automaton_plot.automaton()
+
+
+def _field() -> bytes:
+    gl.require_gl()
+    # dm_control, which composes the scene, needs OpenGL chosen before it is loaded.
+    from prospect_mj.experiment import field_plot
+
+    return field_plot.field_picture()
+
+
+def _scene() -> bytes:
+    gl.require_gl()
+    from prospect_mj.experiment import scene_picture
+
+    return scene_picture.scene_picture()
+
+
+def _replay() -> bytes:
+    gl.require_gl()
+    from prospect_mj.experiment import replay_picture
+
+    return replay_picture.replay_picture()

@@ -5,11 +5,12 @@ from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import tyro
 
 from prospect_mj.cli import command_line
+from prospect_mj.cli.output import Output
 from prospect_mj.errors import UnfinishedRecording
 from prospect_mj.recording import files
 from prospect_mj.recording.config import Extent, RecordingConfig
@@ -41,6 +42,8 @@ class RecordOptions:
     """What it is of."""
     workers: Annotated[Workers, tyro.conf.arg(name="")] = field(default_factory=Workers)
     """Who does the work."""
+    output: Annotated[Output, tyro.conf.arg(name="")] = field(default_factory=Output)
+    """What is printed."""
 
 
 def main(argv: Sequence[str] | None = None, prog: str = "record.py") -> int:
@@ -68,12 +71,13 @@ def _record(options: RecordOptions) -> None:
         if options.pack is not None:
             packing = stack.enter_context(Packing.open(options.pack, options.out))
         recording = stack.enter_context(GrowingRecording.open(options.out, key))
-        n_failed = _grow(recording, options)
-        if packing is not None:
-            _pack(recording, options, packing)
-    if n_failed:
+        grown = _grow(recording, options)
+        packed = None if packing is None else _pack(recording, options, packing)
+    figures = {"path": options.out, **grown._asdict(), "pack": packed}
+    options.output.result("", figures)
+    if grown.n_failed:
         raise UnfinishedRecording(
-            f"{n_failed} of the trees could not be grown to an end"
+            f"{grown.n_failed} of the trees could not be grown to an end"
         )
 
 
@@ -89,8 +93,17 @@ def _check(options: RecordOptions) -> None:
     options.workers.check()
 
 
-def _grow(recording: "GrowingRecording", options: RecordOptions) -> int:
-    """Grow to the wanted size; how many trees could not be."""
+class _Grown(NamedTuple):
+    n_actions: int
+    """Recorded by this process."""
+    n_trees: int
+    """Of the recording."""
+    n_failed: int
+    """Trees that could not be grown to an end."""
+
+
+def _grow(recording: "GrowingRecording", options: RecordOptions) -> _Grown:
+    """Grow to the wanted size."""
     from prospect_mj.cli.record_progress import RecordProgress
     from prospect_mj.recording.growth import Growth
 
@@ -99,21 +112,23 @@ def _grow(recording: "GrowingRecording", options: RecordOptions) -> int:
     with RecordProgress(growth) as progress:
         for _ in growth.run(options.workers):
             progress.advance()
-    print(f"{options.out}: {growth.n_actions - n_before} actions recorded")
+    n_new = growth.n_actions - n_before
+    options.output.say(f"{options.out}: {n_new} actions recorded")
     for words in growth.failures:
         warnings.warn(words, stacklevel=2)
-    return len(growth.failures)
+    return _Grown(n_new, recording.n_trees, len(growth.failures))
 
 
 def _pack(
     recording: "GrowingRecording", options: RecordOptions, packing: Packing
-) -> None:
-    extent = options.extent
+) -> dict[str, object]:
+    extent, say = options.extent, options.output.say
     n_packed = packing.write(recording.complete(extent), recording.key)
-    print(f"{options.pack}: {n_packed} trees packed")
+    say(f"{options.pack}: {n_packed} trees packed")
     n_left = recording.n_trees - n_packed
     if n_left:
-        print(
+        say(
             f"{n_left} trees of {recording.path} are left out: not complete to "
             f"{extent.depth} executed actions, or beyond the number wanted"
         )
+    return {"path": options.pack, "n_trees": n_packed, "n_left_out": n_left}

@@ -5,13 +5,16 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated
 
+import pyarrow.parquet as pq
 import tyro
 from tqdm import tqdm
 
 from prospect_mj.checks import check_integer
 from prospect_mj.cli import command_line
+from prospect_mj.cli.output import Output
 from prospect_mj.experiment.paper.populations.population import MOST_JOBS
 from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
+from prospect_mj.experiment.paper.report.report import STATEMENTS
 from prospect_mj.experiment.paper.reproduce import n_steps, reproduce
 from prospect_mj.recording.recording import Recording
 
@@ -32,9 +35,11 @@ class ReproduceOptions:
     recording: Path | None = None
     """Folder of a recording. Default: the one that comes with the package."""
     live: Path | None = None
-    """Folder with the run folders of scripts/live_runs.py, to compare with."""
+    """Folder with the run folders of prospect live-runs, to compare with."""
     jobs: int = 2
-    """Threads."""
+    """Threads side by side."""
+    output: Annotated[Output, tyro.conf.arg(name="")] = field(default_factory=Output)
+    """What is printed."""
 
     def __post_init__(self) -> None:
         """Refuse what can't work."""
@@ -69,4 +74,10 @@ def _reproduce(options: ReproduceOptions) -> None:
             options.live,
             bar.update,
         )
-    print(f"wrote {path}")
+    options.output.result(f"wrote {path}", _figures(path))
+
+
+def _figures(report: Path) -> dict[str, object]:
+    """The statements of the paper beside what was measured, as they are in a table."""
+    found = pq.read_table(report.parent / f"{STATEMENTS}.parquet")
+    return {"report": report, "statements": found.to_pylist()}

@@ -1,13 +1,26 @@
 """The command line of the study of the six skills."""
 
 from collections import Counter
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
+import tyro
+from tqdm import tqdm
+
+from prospect_mj.checks import check_integer
 from prospect_mj.cli import command_line
-from prospect_mj.errors import InvalidValue
-from prospect_mj.recording.config import GrossMotion
+from prospect_mj.cli.output import Output
+from prospect_mj.recording.config import LARGEST_SEED, GrossMotion
+from prospect_mj.recording.workers import Workers
 from prospect_mj.sim import gl
+
+if TYPE_CHECKING:
+    from prospect_mj.experiment.skill_study import PolicyEpisode, SkillRun
+
+_MOST = 100_000
+
+_Found = TypeVar("_Found")
 
 
 @dataclass(frozen=True)
@@ -21,18 +34,18 @@ class StudyOptions:
     gross_motion: GrossMotion = "harmonic"
     """How large movements go."""
     jobs: int = 2
-    """Processes."""
+    """Processes side by side."""
     seed: int = 0
     """First of the presentations' seeds."""
+    output: Annotated[Output, tyro.conf.arg(name="")] = field(default_factory=Output)
+    """What is printed."""
 
     def __post_init__(self) -> None:
         """Refuse a study of nothing."""
-        limits = {"presentations": 100_000, "episodes": 100_000, "jobs": 256}
-        for name, most in limits.items():
-            if not 1 <= getattr(self, name) <= most:
-                raise InvalidValue(name, getattr(self, name), f"1 to {most}")
-        if self.seed < 0:
-            raise InvalidValue("seed", self.seed, "0 or more")
+        for name in ("presentations", "episodes"):
+            check_integer(name, getattr(self, name), 1, _MOST)
+        check_integer("seed", self.seed, 0, LARGEST_SEED - _MOST)
+        Workers(self.jobs)
 
 
 def main(argv: Sequence[str] | None = None, prog: str = "skill_study.py") -> int:
@@ -50,22 +63,37 @@ def main(argv: Sequence[str] | None = None, prog: str = "skill_study.py") -> int
 
 def _study(options: StudyOptions) -> None:
     gl.require_gl()
-    print(_skills(options))
-    print(_episodes(options))
-
-
-def _skills(options: StudyOptions) -> str:
+    # MuJoCo is not loaded before it is known that it can render.
     from prospect_mj.experiment import skill_study
+
+    runs = _counted(
+        skill_study.skills_in_parallel, options.presentations, "presentation", options
+    )
+    actions = skill_study.summarise(runs)
+    failed = [run for run in runs if not run.passed]
+    options.output.say(_table(actions, runs))
+    episodes = _counted(
+        skill_study.random_policy_in_parallel, options.episodes, "episode", options
+    )
+    policy = _side_effects(episodes)
+    figures = {"actions": actions, "failed": failed, "random_policy": policy}
+    options.output.result(_policy_words(policy), figures)
+
+
+def _counted(
+    study: Callable[..., list[_Found]], n: int, unit: str, options: StudyOptions
+) -> list[_Found]:
+    """What a part of the study finds, with a bar."""
     from prospect_mj.task.pick_place import TaskSettings
 
-    runs = skill_study.skills_in_parallel(
-        TaskSettings(gross_motion=options.gross_motion),
-        options.presentations,
-        options.jobs,
-        options.seed,
-    )
+    settings = TaskSettings(gross_motion=options.gross_motion)
+    with tqdm(total=n, unit=unit, dynamic_ncols=True, disable=None) as bar:
+        return study(settings, n, options.jobs, options.seed, tick=bar.update)
+
+
+def _table(actions: Sequence[Any], runs: "Sequence[SkillRun]") -> str:
     lines = ["action                           passed   of    mean s   max s"]
-    for line in skill_study.summarise(runs):
+    for line in actions:
         numbers = f"{line.passed:6d}{line.runs:6d}"
         seconds = f"{line.mean_seconds:9.2f}{line.max_seconds:8.2f}"
         lines.append(f"{line.label:32s} {numbers} {seconds}")
@@ -74,29 +102,29 @@ def _skills(options: StudyOptions) -> str:
     return "\n".join([*lines, f"mean of all executed actions: {mean:.2f} s", *failures])
 
 
-def _episodes(options: StudyOptions) -> str:
-    from prospect_mj.experiment import skill_study
-    from prospect_mj.task.pick_place import TaskSettings
-
-    episodes = skill_study.random_policy_in_parallel(
-        TaskSettings(gross_motion=options.gross_motion),
-        options.episodes,
-        options.jobs,
-        options.seed,
-    )
+def _side_effects(episodes: "Sequence[PolicyEpisode]") -> dict[str, Any]:
+    """What the random policy did besides."""
     contacts: Counter[tuple[str, str]] = Counter()
     saturated: Counter[str] = Counter()
     for episode in episodes:
         contacts += episode.findings.contacts
         saturated += episode.findings.saturated
-    lost = [episode.seed for episode in episodes if episode.jar_lost]
-    load = max(episode.findings.load for episode in episodes)
+    return {
+        "episodes": len(episodes),
+        "jar_lost": [episode.seed for episode in episodes if episode.jar_lost],
+        "contacts": {" and ".join(pair): n for pair, n in contacts.items()},
+        "saturated": dict(saturated),
+        "load": max(episode.findings.load for episode in episodes),
+    }
+
+
+def _policy_words(policy: dict[str, Any]) -> str:
     return "\n".join(
         [
-            f"{len(episodes)} episodes of a random policy",
-            f"  jar lost in: {lost or 'none'}",
-            f"  unintended contacts: {dict(contacts) or 'none'}",
-            f"  saturated actuators: {dict(saturated) or 'none'}",
-            f"  largest share of a torque limit: {load:.0%}",
+            f"{policy['episodes']} episodes of a random policy",
+            f"  jar lost in: {policy['jar_lost'] or 'none'}",
+            f"  unintended contacts: {policy['contacts'] or 'none'}",
+            f"  saturated actuators: {policy['saturated'] or 'none'}",
+            f"  largest share of a torque limit: {policy['load']:.0%}",
         ]
     )

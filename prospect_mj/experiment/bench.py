@@ -7,11 +7,11 @@ from functools import wraps
 from time import perf_counter
 from typing import TYPE_CHECKING, ParamSpec, TypeVar, cast
 
-from prospect_mj.errors import InvalidValue
+from prospect_mj.checks import check_integer
 from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.environment import make_environment
 from prospect_mj.experiment.training import new_learner, run_trial
-from prospect_mj.recording.config import GrossMotion
+from prospect_mj.recording.config import LARGEST_SEED, GrossMotion
 
 if TYPE_CHECKING:
     from prospect_mj.envs.pick_place import PickPlaceEnv
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 PHYSICS, IK, RENDERING, VISION = "mj_step", "inverse kinematics", "rendering", "vision"
 PLANNING = "planning"
 OTHER = "other control, learner, reset"
+
+Tick = Callable[[], object]
 
 _Arguments = ParamSpec("_Arguments")
 _Result = TypeVar("_Result")
@@ -37,8 +39,8 @@ class BenchConfig:
 
     def __post_init__(self) -> None:
         """Refuse a benchmark of nothing."""
-        if not 1 <= self.trials <= 100_000:
-            raise InvalidValue("trials", self.trials, "1 to 100000")
+        check_integer("trials", self.trials, 1, 100_000)
+        check_integer("seed", self.seed, 0, LARGEST_SEED)
 
 
 @dataclass(frozen=True)
@@ -61,6 +63,16 @@ class BenchResult:
         lines += [f"  {label:30s}{share:6.1%}" for label, share in self.shares.items()]
         look = f"one look: {1e3 * self.look:.0f} ms, rendering included"
         return "\n".join([*lines, look])
+
+    def figures(self) -> dict[str, object]:
+        """The same for programs."""
+        return {
+            "simulated_seconds": self.simulated,
+            "wall_seconds": self.wall,
+            "times_real_time": self.simulated / self.wall,
+            "shares_of_wall_time": self.shares,
+            "look_seconds": self.look,
+        }
 
 
 class Stopwatch:
@@ -86,8 +98,12 @@ class Stopwatch:
         return wrapped
 
 
-def bench(config: BenchConfig) -> BenchResult:
+def bench(config: BenchConfig, tick: Tick = lambda: None) -> BenchResult:
     """Run whole trials on live physics and measure.
+
+    Args:
+        config: what to measure.
+        tick: called after each trial.
 
     Raises:
         ProspectError: if a model file is missing or nothing can be rendered.
@@ -100,11 +116,10 @@ def bench(config: BenchConfig) -> BenchResult:
     run_trial(training, env, new_learner(training), config.trials)
     watch = _instrumented(env)
     learner = new_learner(training)
-    start = perf_counter()
-    simulated = sum(
-        run_trial(training, env, learner, trial).trial.sim_seconds
-        for trial in range(config.trials)
-    )
+    simulated, start = 0.0, perf_counter()
+    for trial in range(config.trials):
+        simulated += run_trial(training, env, learner, trial).trial.sim_seconds
+        tick()
     wall = perf_counter() - start
     env.close()
     return _result(simulated, wall, watch, config.trials)

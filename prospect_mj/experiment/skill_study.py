@@ -6,23 +6,20 @@ the wrong way round, hands the jar over, and the first hand inserts it.
 """
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import partial
-from operator import itemgetter
-from typing import TypeVar
 
 import numpy as np
 
 from prospect_mj.actions.action import Action, ActionResult
-from prospect_mj.recording.workers import Backend, Workers
+from prospect_mj.experiment.shares import Tick, in_parallel
+from prospect_mj.recording.workers import Backend
 from prospect_mj.robot import names
 from prospect_mj.robot.names import Side
 from prospect_mj.sim.audit import Audit, Findings
 from prospect_mj.task.pick_place import PickPlaceTask, TaskSettings
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
-
-_Found = TypeVar("_Found")
 
 _GRASP = {"left": Action.GRASP_LEFT, "right": Action.GRASP_RIGHT}
 _SWAP = {"left": Action.SWAP_LEFT_TO_RIGHT, "right": Action.SWAP_RIGHT_TO_LEFT}
@@ -192,10 +189,11 @@ def skills_in_parallel(
     jobs: int = 2,
     first_seed: int = 0,
     backend: Backend = "local",
+    tick: Tick = lambda n: None,
 ) -> list[SkillRun]:
     """`run_skills` over `n` seeds on several processes."""
     seeds = range(first_seed, first_seed + n)
-    return in_parallel(partial(run_skills, settings), seeds, jobs, backend)
+    return in_parallel(partial(run_skills, settings), seeds, jobs, backend, tick)
 
 
 def random_policy_in_parallel(
@@ -204,36 +202,9 @@ def random_policy_in_parallel(
     jobs: int = 2,
     first_seed: int = 0,
     backend: Backend = "local",
+    tick: Tick = lambda n: None,
 ) -> list[PolicyEpisode]:
     """`run_random_policy` over `n` seeds on several processes."""
     seeds = range(first_seed, first_seed + n)
-    return in_parallel(partial(run_random_policy, settings), seeds, jobs, backend)
-
-
-def in_parallel(
-    study: Callable[[Sequence[int]], list[_Found]],
-    seeds: Sequence[int],
-    jobs: int,
-    backend: Backend = "local",
-) -> list[_Found]:
-    """What a study finds at each of the seeds, in their order.
-
-    Args:
-        study: what finds something for each seed of a share; it is given several, as
-            each share compiles the scene once.
-        seeds: of all shares.
-        jobs: processes.
-        backend: where they are.
-    """
-    n_shares = min(jobs * 8, len(seeds))
-    shares = np.array_split(np.array(seeds), n_shares)
-    numbered = [(number, share.tolist()) for number, share in enumerate(shares)]
-    parts = Workers(jobs, backend).map(partial(_numbered, study), numbered)
-    return [found for _, part in sorted(parts, key=itemgetter(0)) for found in part]
-
-
-def _numbered(
-    study: Callable[[Sequence[int]], list[_Found]], share: tuple[int, Sequence[int]]
-) -> tuple[int, list[_Found]]:
-    number, seeds = share
-    return number, study(seeds)
+    study = partial(run_random_policy, settings)
+    return in_parallel(study, seeds, jobs, backend, tick)

@@ -15,7 +15,7 @@ import numpy as np
 
 from prospect_mj.actions.action import Action
 from prospect_mj.errors import UnforeseenEvent
-from prospect_mj.experiment.skill_study import in_parallel
+from prospect_mj.experiment.shares import in_parallel
 from prospect_mj.supervisor.constraints import violated
 from prospect_mj.supervisor.plant import End, Start
 from prospect_mj.supervisor.predicates import PredicateState

@@ -4,6 +4,7 @@ The studies of the learner draw from the histograms that are recorded here.
 """
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -119,12 +120,18 @@ class Observatory(Closing):
 Samples = dict[Orientation, list[Sample]]
 
 
-def record(observatory: Observatory, images: int, rng: np.random.Generator) -> Samples:
-    """Take so many samples of each orientation, in turn."""
+def record(
+    observatory: Observatory,
+    images: int,
+    rng: np.random.Generator,
+    tick: Callable[[], object] = lambda: None,
+) -> Samples:
+    """Take so many samples of each orientation, in turn, and call `tick` after each."""
     samples: Samples = {side: [] for side in ORIENTATIONS}
     for _ in range(images):
         for side in ORIENTATIONS:
             samples[side].append(observatory.sample(side, rng))
+            tick()
     return samples
 
 

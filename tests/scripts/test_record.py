@@ -1,6 +1,7 @@
 """The command that records, on ideal outcomes: what it tells, and what it refuses."""
 
 import io
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -45,6 +46,19 @@ def test_it_records_and_says_how_much(capsys):
     assert said.err.splitlines()[-1] == f"4 of 4 trees: {N_ACTIONS} actions"
     assert len(said.err.splitlines()) == 4
     assert len(Recording.load(Path("it")).complete(3)) == 4
+
+
+def test_for_programs_it_is_one_object(capsys):
+    assert run("--out", "it", "--pack", "packed", "--json") == 0
+    said = capsys.readouterr()
+    assert json.loads(said.out) == {
+        "path": "it",
+        "n_actions": N_ACTIONS,
+        "n_trees": 4,
+        "n_failed": 0,
+        "pack": {"path": "packed", "n_trees": 4, "n_left_out": 0},
+    }
+    assert f"it: {N_ACTIONS} actions recorded" in said.err
 
 
 def test_the_same_command_again_has_nothing_to_do(elsewhere, ideal, capsys):

@@ -17,7 +17,7 @@ SCRIPTS = Path(__file__).parents[2] / "scripts"
         ("bench.py",),
         ("record.py", "--out", "run"),
         ("skill_study.py",),
-        ("watch.py", "--video", "film.mp4"),
+        ("view.py", "--video", "film.mp4"),
     ],
     ids=lambda command: command[0],
 )

@@ -1,8 +1,8 @@
-"""The study of the skills, without physics: how it is split."""
+"""How work over many seeds is split, and that its end is told."""
 
 import pytest
 
-from prospect_mj.experiment.skill_study import in_parallel
+from prospect_mj.experiment.shares import in_parallel
 
 
 def squares(seeds):
@@ -14,3 +14,10 @@ def test_what_is_found_is_in_the_order_of_the_seeds(first, n):
     """Whichever share ends first."""
     seeds = range(first, first + n)
     assert in_parallel(squares, seeds, jobs=2) == squares(seeds)
+
+
+def test_every_seed_is_told_of_once():
+    done = []
+    in_parallel(squares, range(37), jobs=2, tick=done.append)
+    assert len(done) > 2
+    assert sum(done) == 37

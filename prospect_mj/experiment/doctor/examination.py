@@ -1,0 +1,33 @@
+"""All that the doctor looks at, in order."""
+
+from collections.abc import Iterator, Sequence
+
+from prospect_mj.experiment.doctor import machine, packages, recorded, rendering
+from prospect_mj.experiment.doctor.check import Check, Level, Look, guarded
+
+LOOKS: dict[str, Look] = {
+    "Python": packages.look_at_python,
+    "packages": packages.look_at_packages,
+    "cores": machine.look_at_cores,
+    "memory": machine.look_at_memory,
+    "places": machine.look_at_places,
+    "recorded physics": recorded.look_at_recording,
+    "rendering": rendering.look_at_rendering,
+    "display": rendering.look_at_display,
+}
+"""By what they look at."""
+
+
+def examine() -> Iterator[tuple[str, Iterator[Check]]]:
+    """Each look: what at, and what it finds once it is asked for."""
+    for name, look in LOOKS.items():
+        yield name, guarded(name, look)
+
+
+def verdict(checks: Sequence[Check]) -> str:
+    """One line for all of them."""
+    counted = {level: sum(one.level is level for one in checks) for level in Level}
+    failed, warned = counted[Level.FAIL], counted[Level.WARN]
+    if not failed and not warned:
+        return "all is well"
+    return f"{counted[Level.OK]} checks are well, {warned} warn, {failed} failed"
