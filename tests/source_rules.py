@@ -15,6 +15,8 @@ MAX_FUNCTION_LINES = 40
 
 CONFINED = {
     "dm_control": ("prospect_mj/sim/scene.py",),
+    "dm_env": ("prospect_mj/envs/dm_face.py",),
+    "imageio_ffmpeg": ("prospect_mj/replay/video.py",),
     "gymnasium": ("prospect_mj/envs/",),
     "matplotlib": (
         "prospect_mj/experiment/automaton_plot.py",
@@ -24,6 +26,13 @@ CONFINED = {
         "prospect_mj/experiment/paper/figures/actions_figure.py",
         "prospect_mj/experiment/paper/figures/strategy_figure.py",
         "prospect_mj/experiment/plots.py",
+        "prospect_mj/experiment/seeds/curves_figure.py",
+        "prospect_mj/experiment/portraits/grasp_picture.py",
+        "prospect_mj/experiment/portraits/run_frame.py",
+        "prospect_mj/experiment/portraits/start_value_picture.py",
+        "prospect_mj/experiment/portraits/strategy_picture.py",
+        "prospect_mj/experiment/portraits/value_tables.py",
+        "prospect_mj/experiment/portraits/weights_picture.py",
         "prospect_mj/experiment/vision_plots.py",
     ),
     "networkx": (

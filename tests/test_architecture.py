@@ -22,11 +22,11 @@ from source_rules import (
 ROOT = Path(__file__).resolve().parent.parent
 
 RULES = {
-    randomness_is_seeded: ("prospect_mj", "scripts", "tests"),
+    randomness_is_seeded: ("prospect_mj", "scripts", "examples", "tests"),
     only_the_simulation_steps: ("prospect_mj",),
     libraries_are_confined: ("prospect_mj", "scripts"),
     the_learner_needs_only_numpy: ("prospect_mj",),
-    modules_and_functions_are_short: ("prospect_mj", "scripts"),
+    modules_and_functions_are_short: ("prospect_mj", "scripts", "examples"),
 }
 """Rule: the folders it is held against."""
 

@@ -1,4 +1,4 @@
-"""What the Makefile's targets hand over to the scripts behind them."""
+"""What the Makefile's targets hand over to the commands behind them."""
 
 import os
 import shutil
@@ -14,11 +14,11 @@ pytestmark = pytest.mark.skipif(not shutil.which("make"), reason="make is not th
 
 @pytest.fixture
 def make(tmp_path):
-    """Run a target with a Python that only says what it was told to do."""
-    python = tmp_path / "bin" / "python"
-    python.parent.mkdir()
-    python.write_text('#!/bin/sh\nfor word in "$@"; do echo "$word"; done\n')
-    python.chmod(0o755)
+    """Run a target with a `prospect` that only says what it was told to do."""
+    prospect = tmp_path / "bin" / "prospect"
+    prospect.parent.mkdir()
+    prospect.write_text('#!/bin/sh\nfor word in "$@"; do echo "$word"; done\n')
+    prospect.chmod(0o755)
     for done in (".runtime-installed", ".gl-checked"):
         (tmp_path / done).touch()
     # What a make above this one was told is none of its business.
@@ -50,11 +50,13 @@ def make(tmp_path):
     ],
 )
 def test_live_runs_are_as_many_as_asked(make, words, options):
-    assert make(*words.split()) == ["scripts/live_runs.py", *options.split()]
+    assert make(*words.split()) == ["live-runs", *options.split()]
 
 
 def test_other_targets_have_their_own_numbers(make):
-    runs = ["scripts/reproduce.py", "--runs=1000", "--trials=1000"]
+    runs = ["reproduce", "--runs=1000", "--trials=1000"]
     assert make("reproduce") == runs
     assert make("reproduce", "OUT=a folder") == [*runs, "--out=a folder"]
-    assert make("train", "TRIALS=20") == ["scripts/train.py", "--trials=20"]
+    assert make("train", "TRIALS=20") == ["train", "--trials=20"]
+    assert make("bench", "ARGS=--json") == ["bench", "--json"]
+    assert make("doctor") == ["doctor"]

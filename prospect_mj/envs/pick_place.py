@@ -1,29 +1,37 @@
 """The pick and place task as a Gymnasium environment."""
 
-from typing import TYPE_CHECKING, Any, ClassVar, cast
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import gymnasium
 import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
-from prospect_mj.actions.action import Action, ActionResult
-from prospect_mj.agent.features import N_BINS, Holding, StateFeatureGenerator
+from prospect_mj.actions.action import Action
+from prospect_mj.envs.observation import Observation
 from prospect_mj.envs.reset_options import ResetOptions
+from prospect_mj.envs.screens import (
+    FILM_RATE,
+    NOTHING,
+    RENDER_MODES,
+    RenderMode,
+    check_render_mode,
+    make_screen,
+    metadata,
+)
 from prospect_mj.envs.settings import PickPlaceSettings
-from prospect_mj.envs.tasks import Task, make_task
-from prospect_mj.errors import InvalidChoice, InvalidValue, RecordingError
-from prospect_mj.task.presentation import ORIENTATIONS, Orientation
+from prospect_mj.envs.tasks import Task
+from prospect_mj.envs.trials import Trials
+from prospect_mj.errors import InvalidChoice, InvalidValue
 
 if TYPE_CHECKING:
     import mujoco
 
+    from prospect_mj.envs.pictures import Screen
     from prospect_mj.episodes.recorder import WatchedTask
-    from prospect_mj.sim.simulation import Simulation
-    from prospect_mj.task.pick_place import PickPlaceTask
 
 
-class PickPlaceEnv(gymnasium.Env[NDArray[np.float64], int]):
+class PickPlaceEnv(gymnasium.Env[Observation, int]):
     """A two-armed torso picks up a jar and inserts it into a receptacle.
 
     ## Description
@@ -32,119 +40,143 @@ class PickPlaceEnv(gymnasium.Env[NDArray[np.float64], int]):
     it. Each action is a closed-loop behaviour of seconds in full MuJoCo physics; the
     robot sees the jar once, before the first action, and feels it from then on.
 
-    ## Action space
+    ## Action Space
     `Discrete(6)`:
 
-    | action | meaning |
-    |---|---|
-    | 0 | grasp left: pick the jar up with the left hand by its left end |
-    | 1 | grasp right |
-    | 2 | swap left to right: hand the jar over in the air |
-    | 3 | swap right to left |
-    | 4 | insert left: insert the jar that the left hand holds |
-    | 5 | insert right |
+    - 0: grasp left: pick the jar up with the left hand by its left end
+    - 1: grasp right
+    - 2: swap left to right: hand the jar over in the air
+    - 3: swap right to left
+    - 4: insert left: insert the jar that the left hand holds
+    - 5: insert right
 
     An action that the supervisor does not allow moves nothing and changes nothing.
 
-    ## Observation space
-    `Box((303,))`: with v the scaled 100-bin intensity histogram of the jar's pixels and
-    h_L, h_R the grasp predicates, (v, v h_L, v h_R, h_L, h_R, 1); see
+    ## Observation Space
+    `Box((303,))`, float64: with v the scaled 100-bin intensity histogram of the jar's
+    pixels and h_L, h_R the grasp predicates, (v, v h_L, v h_R, h_L, h_R, 1); see
     `prospect_mj.agent.features`.
 
-    ## Starting state
+    With `observation="images"`, in live physics, a `Dict` of these `features` and of
+    `left_image` and `right_image`, `Box(0, 255, (240, 320, 3), uint8)`: what both eyes
+    saw, noise and all. The robot looks once, so the images are those of the
+    presentation all through a trial; what changes with an action is in the features.
+
+    ## Starting State
     Arms at rest, hands open. The jar's position is uniform within 2 cm in x and y and
     1 cm in z of its nominal, its yaw within 10 degrees, the lamp's brightness within
-    10 %. `reset(options={"orientation": "left" | "right"})` sets the side on which the
-    lid lies; otherwise it is drawn. `reset(options={"trial": n})` tells the number of
-    the trial, from 0, which a shaping schedule counts by; otherwise it is one more than
-    that of the trial before.
+    10 %; recorded physics draws from recorded presentations of that distribution.
+    Options of `reset`, without which chance and counting decide:
+
+    - `"orientation"`: `"left"` or `"right"`, the side on which the lid lies
+    - `"trial"`: number of the trial from 0, which a shaping schedule counts by
 
     ## Rewards
-    -1 per action.
+    -1 per action, run or not. Two actions are optimal: a return of -2.
 
-    ## Episode end
-    Terminated when the jar stands in the receptacle; truncated after ten actions.
+    ## Episode End
+    - Termination: the jar stands in the receptacle.
+    - Truncation: after ten actions (`max_actions`).
 
-    ## Info
-    The same keys from `reset` and `step`:
+    ## Information
+    `reset` and `step` return the same keys:
 
-    | key | meaning |
-    |---|---|
-    | `action_mask` | (6,) int8, the supervisor's choice set by mode and schedule |
-    | `orientation` | the side on which the lid lies |
-    | `holding` | "none", "left" or "right": the grasp predicates |
-    | `executed` | whether the action was run (False from `reset`) |
-    | `result` | an `ActionResult`, such as "success" or "jammed"; from `reset` the \
-status of the look: "found", "unsure" or "not_found" |
-    | `sim_seconds` | simulated time of this action [s] |
-    | `inserted` | whether the jar stands in the receptacle |
+    - `action_mask`: (6,) int8, the supervisor's choice set by mode and schedule;
+      `action_masks()` gives it as booleans, through wrappers
+      `env.get_wrapper_attr("action_masks")()`
+    - `orientation`: the side on which the lid lies
+    - `holding`: `"none"`, `"left"` or `"right"`: the grasp predicates
+    - `executed`: whether the action was run (False from `reset`)
+    - `result`: an `ActionResult`, such as `"success"` or `"jammed"`; from `reset` the
+      status of the look: `"found"`, `"unsure"` or `"not_found"`
+    - `sim_seconds`: simulated time of this action [s]
+    - `inserted`: whether the jar stands in the receptacle
 
     ## Arguments
-    `settings`: a `PickPlaceSettings`. Each of its fields may be given by name instead,
-    such as `physics="recorded"`: every outcome is then looked up in the recording that
-    comes with the package, one of 50 presentations of each orientation, and a step
-    takes microseconds in place of a quarter of a second.
+    ```python
+    import gymnasium
+    gymnasium.make("prospect_mj/PickPlace-v0", physics="recorded")
+    gymnasium.make("prospect_mj/PickPlace-v0", render_mode="rgb_array", width=320)
+    gymnasium.make_vec("prospect_mj/PickPlace-v0", num_envs=1000, physics="recorded")
+    ```
+    Every field of `PickPlaceSettings` by its name, or `settings`, one as a whole. With
+    `physics="recorded"` every outcome is looked up in the recording that comes with
+    the package, one of 50 presentations of each orientation, and a step takes
+    microseconds in place of a quarter of a second.
+
+    `render_mode`, in live physics, where it changes no result; `width` and `height`
+    are those of a picture:
+
+    - `"rgb_array"`: `render()` gives the scene as it is, (height, width, 3) uint8;
+      `render_fps` is 1, for a slide show with a picture after every action
+    - `"rgb_array_list"`: the film since the last `render()` or `reset`, a list of
+      pictures, `render_fps` = 25 of them for a simulated second
+    - `"human"`: MuJoCo's viewer, at real time; it needs a display
+
+    `make_vec` steps many recorded trials at once (`envs.vector`); on live physics it
+    steps one environment after the other. `envs.dm_face` is the same as a
+    `dm_env.Environment`.
 
     ## References
-    Wheeler, Fagg and Grupen, "Learning prospective pick and place behavior", ICDL 2002.
+    D. Wheeler, A. H. Fagg and R. A. Grupen, "Learning prospective pick and place
+    behavior", Proceedings of the International Conference on Development and Learning
+    (ICDL), 2002.
 
-    ## Version history
-    * v0: first version.
+    ## Version History
+    * v0: first version
     """
 
-    metadata: ClassVar[dict[str, Any]] = {"render_modes": []}
+    metadata: ClassVar[dict[str, Any]] = {
+        "render_modes": [*RENDER_MODES],
+        "render_fps": FILM_RATE,
+    }
 
     def __init__(
         self,
         settings: PickPlaceSettings | None = None,
-        render_mode: None = None,
+        render_mode: RenderMode | None = None,
         **changes: Any,  # noqa: ANN401
     ) -> None:
         """Make the task.
 
         Args:
             settings: all settings; None for the defaults.
-            render_mode: must be None.
+            render_mode: how to show it; None for not at all.
             changes: single settings by name.
 
         Raises:
             InvalidChoice: on a setting or a choice that does not exist.
             InvalidValue: on a setting that is out of its range or of another kind.
+            NoDisplay: if there is none to open a window on.
             RenderingUnavailable: if something is to be simulated without OpenGL.
             RecordingError: if the recording can't be had, or is of other physics.
         """
-        if render_mode is not None:
-            raise InvalidChoice("render_mode", render_mode, [None])
-        self.render_mode = None
-        given = PickPlaceSettings() if settings is None else settings
-        if not isinstance(given, PickPlaceSettings):
-            raise InvalidValue("settings", given, "a PickPlaceSettings")
-        self.settings = given.changed(**changes)
-        self.task: Task = make_task(self.settings)
-        self._generator = StateFeatureGenerator(self.settings.features)
-        low, high = self._generator.bounds
-        self.observation_space = spaces.Box(low, high, dtype=np.float64)
+        self.settings = PickPlaceSettings.of(settings, **changes)
+        check_render_mode(render_mode, self.settings)
+        self.render_mode = render_mode
+        self.metadata = metadata(render_mode, self.settings)
+        self._trials = Trials(self.settings)
+        self.observation_space = self._trials.observer.space
         self.action_space = spaces.Discrete(len(Action))
-        self._orientation: Orientation = ORIENTATIONS[0]
-        self._trial = -1
-        self._n_actions: int | None = None
-        self._histogram: NDArray[np.int64] = np.zeros(N_BINS, np.int64)
+        self._screen: Screen | None = None
+        if render_mode is not None and self.settings.physics == "live":
+            live = self._trials.live.simulation
+            self._screen = make_screen(render_mode, live, self.settings)
+
+    @property
+    def task(self) -> Task:
+        """What the actions are run on."""
+        return self._trials.task
 
     @property
     def model(self) -> "mujoco.MjModel":
         """The live scene."""
-        return self._simulation.model
+        return self._trials.live.simulation.model
 
     @property
     def data(self) -> "mujoco.MjData":
         """The live state."""
-        return self._simulation.data
-
-    @property
-    def _simulation(self) -> "Simulation":
-        if self.settings.physics != "live":
-            raise RecordingError("recorded physics has no model and data")
-        return cast("PickPlaceTask", self.task).simulation
+        return self._trials.live.simulation.data
 
     def watch(self) -> "WatchedTask":
         """Remember every trial from now on; what happens stays the same.
@@ -155,17 +187,11 @@ status of the look: "found", "unsure" or "not_found" |
         Raises:
             RecordingError: on recorded physics, which has nothing to be seen.
         """
-        _ = self._simulation
-        # Where nothing is simulated, nothing of MuJoCo is loaded.
-        from prospect_mj.episodes.recorder import WatchedTask
-
-        if not isinstance(self.task, WatchedTask):
-            self.task = WatchedTask(cast("PickPlaceTask", self.task))
-        return self.task
+        return self._trials.watch()
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
-    ) -> tuple[NDArray[np.float64], dict[str, Any]]:
+    ) -> tuple[Observation, dict[str, Any]]:
         """Present the jar and look at it.
 
         Raises:
@@ -173,67 +199,43 @@ status of the look: "found", "unsure" or "not_found" |
             InvalidValue: on a trial that is no number from 0.
         """
         super().reset(seed=seed)
-        told = ResetOptions.read(options)
-        self._orientation = told.orientation or self._drawn_orientation()
-        self._trial = self._trial + 1 if told.trial is None else told.trial
-        look = self.task.reset(self._orientation, self.np_random)
-        self._histogram = look.histogram
-        self._n_actions = 0
-        return self._observation(), self._info(False, look.status, 0.0)
-
-    def _drawn_orientation(self) -> Orientation:
-        return ORIENTATIONS[int(self.np_random.integers(len(ORIENTATIONS)))]
+        begun = self._trials.begin(ResetOptions.read(options), self.np_random)
+        if self._screen is not None:
+            self._screen.begin()
+        return begun
 
     def step(
         self, action: int
-    ) -> tuple[NDArray[np.float64], float, bool, bool, dict[str, Any]]:
+    ) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """Run one of the six actions to its end.
 
         Raises:
             InvalidChoice: if there is no such action.
             gymnasium.error.ResetNeeded: before the first reset and after the end.
         """
-        if self._n_actions is None:
-            raise gymnasium.error.ResetNeeded("no trial is under way: call reset")
         if isinstance(action, bool) or not self.action_space.contains(action):
             raise InvalidChoice("action", action, range(len(Action)))
-        outcome = self.task.execute(Action(int(action)))
-        self._n_actions += 1
-        terminated = self.task.inserted
-        truncated = not terminated and self._n_actions >= self.settings.max_actions
-        info = self._info(outcome.executed, outcome.result, outcome.sim_seconds)
-        observation = self._observation()
-        if terminated or truncated:
-            self._n_actions = None
-        return observation, -1.0, terminated, truncated, info
-
-    @property
-    def _holding(self) -> Holding:
-        return self.task.holder or "none"
-
-    def _observation(self) -> NDArray[np.float64]:
-        return self._generator.generate(self._histogram, self._holding)
-
-    def _info(
-        self, executed: bool, result: str | ActionResult, sim_seconds: float
-    ) -> dict[str, Any]:
-        return {
-            "action_mask": self._choice_set(),
-            "orientation": self._orientation,
-            "holding": self._holding,
-            "executed": executed,
-            "result": str(result),
-            "sim_seconds": sim_seconds,
-            "inserted": self.task.inserted,
-        }
+        return tuple(self._trials.act(Action(int(action))))
 
     def action_masks(self) -> NDArray[np.bool_]:
         """The choice set as booleans (6,), for agents that ask the environment."""
-        return self._choice_set().astype(bool)
+        return self._trials.choice_set().astype(bool)
 
-    def _choice_set(self) -> NDArray[np.int8]:
-        return self.task.supervisor.choice_set(self.task.predicates, self._trial)
+    def render(self) -> Any:  # noqa: ANN401
+        """What the render mode asks for; see the class.
+
+        Raises:
+            InvalidValue: on recorded physics, where nothing is simulated.
+        """
+        if self._screen is not None:
+            return self._screen.render()
+        if self.render_mode is not None:
+            raise InvalidValue("render_mode", self.render_mode, NOTHING)
+        gymnasium.logger.warn("nothing is rendered without a render_mode")
+        return None
 
     def close(self) -> None:
-        """Close the eyes."""
+        """Close the eyes, and what shows the scene."""
+        if self._screen is not None:
+            self._screen.close()
         self.task.close()

@@ -15,10 +15,12 @@ from prospect_mj.supervisor.supervisor import Mode, Supervisor
 from prospect_mj.task.presentation import PresentationSettings
 
 Physics = Literal["live", "recorded"]
+Observed = Literal["features", "images"]
 
 _MOST_ACTIONS = 1000
 _MOST_RECORDED = int(np.iinfo(np.int8).max)
 """As deep as a recording's table can tell of."""
+_LEAST_PIXELS, _MOST_PIXELS = 32, 1920
 _KINDS = {"features": FeatureSettings, "presentation": PresentationSettings}
 
 
@@ -48,17 +50,27 @@ class PickPlaceSettings:
     max_actions: int = 10
     """After which a trial is truncated; on recorded physics presentations are not shown
     whose outcomes are recorded for fewer."""
+    observation: Observed = "features"
+    """What an agent observes: the 303 `features`, or these and, in live physics, the
+    two `images` that they were made of."""
     features: FeatureSettings = field(default_factory=FeatureSettings)
     """Reading and scale of the 303 features."""
     presentation: PresentationSettings = field(default_factory=PresentationSettings)
     """Spread of the jar's place and of the lamp's brightness, in live physics."""
+    width: int = 640
+    """Of a rendered picture [pixels]."""
+    height: int = 480
+    """Of a rendered picture [pixels]."""
 
     def __post_init__(self) -> None:
         """Refuse what no trial can be made of, each setting for itself and together."""
         check_choice("physics", self.physics, get_args(Physics))
         check_choice("grow", self.grow, (False, True))
-        for name in ("max_actions", "grid_cells"):
+        check_choice("observation", self.observation, get_args(Observed))
+        for name in ("max_actions", "grid_cells", "width", "height"):
             object.__setattr__(self, name, _as_integer(name, getattr(self, name)))
+        for name in ("width", "height"):
+            check_integer(name, getattr(self, name), _LEAST_PIXELS, _MOST_PIXELS)
         most = _MOST_RECORDED if self.physics == "recorded" else _MOST_ACTIONS
         check_integer("max_actions", self.max_actions, 1, most)
         for name, kind in _KINDS.items():
@@ -68,6 +80,7 @@ class PickPlaceSettings:
         # A choice or a number that makes no recording makes no live physics either.
         _ = self.recorded_as
         self._check_recording()
+        self._check_live_only()
 
     def _check_recording(self) -> None:
         if self.recording is not None:
@@ -78,9 +91,34 @@ class PickPlaceSettings:
             raise InvalidValue("grow", self.grow, "False in live physics")
         if self.grow and self.recording is None:
             raise InvalidValue("recording", None, "a folder that may grow")
-        spread = self.presentation
-        if self.physics == "recorded" and spread != PresentationSettings():
-            raise InvalidValue("presentation", spread, "that of the recording")
+
+    def _check_live_only(self) -> None:
+        """Refuse for recorded physics what only live physics has."""
+        if self.physics == "live":
+            return
+        if self.presentation != PresentationSettings():
+            raise InvalidValue(
+                "presentation", self.presentation, "that of the recording"
+            )
+        if self.observation != "features":
+            raise InvalidValue(
+                "observation",
+                self.observation,
+                "'features' on recorded physics, which holds histograms and no images",
+            )
+
+    @classmethod
+    def of(cls, settings: Self | None, **changes: Any) -> Self:  # noqa: ANN401
+        """Settings given as a whole, by name, or both.
+
+        Raises:
+            InvalidChoice: if there is no such setting.
+            InvalidValue: if they are something else.
+        """
+        given = cls() if settings is None else settings
+        if not isinstance(given, cls):
+            raise InvalidValue("settings", given, f"a {cls.__name__}")
+        return given.changed(**changes)
 
     def changed(self, **changes: Any) -> Self:  # noqa: ANN401
         """The same settings but for some, given by name.

@@ -84,12 +84,22 @@ def make_task(settings: PickPlaceSettings) -> Task:
     return _growing(settings) if settings.grow else _recorded(settings)
 
 
-def _recorded(settings: PickPlaceSettings) -> Task:
+def load_recording(settings: PickPlaceSettings) -> Recording:
+    """Read the recording that an environment asks for.
+
+    Raises:
+        RecordingError: if it can't be had, or is of other physics.
+    """
     path = paths.RECORDING if settings.recording is None else settings.recording
     recording = Recording.load(path)
     _check_same(path, recording.key.config, settings)
     recording.warn_if_foreign()
-    return RecordedTask(recording, _supervisor(settings), settings.max_actions)
+    return recording
+
+
+def _recorded(settings: PickPlaceSettings) -> Task:
+    recording = load_recording(settings)
+    return RecordedTask(recording, make_supervisor(settings), settings.max_actions)
 
 
 def _live(settings: PickPlaceSettings) -> Task:
@@ -124,10 +134,11 @@ def _growing(settings: PickPlaceSettings) -> Task:
     # What can't be simulated must not be written down as a recording's settings.
     task_settings(config)
     key = RecordingKey.present(config, gl.renderer_name())
-    return LazyTask(GrowingRecording.open(path, key), _supervisor(settings))
+    return LazyTask(GrowingRecording.open(path, key), make_supervisor(settings))
 
 
-def _supervisor(settings: PickPlaceSettings) -> Supervisor:
+def make_supervisor(settings: PickPlaceSettings) -> Supervisor:
+    """The supervisor that decides what an environment's agent may choose from."""
     return Supervisor(settings.supervisor, settings.shaping)
 
 

@@ -3,11 +3,16 @@
 import numpy as np
 
 from prospect_mj.actions.action import Action, ActionResult
-from prospect_mj.errors import RecordingError
 from prospect_mj.recording.arrays import UNKNOWN
-from prospect_mj.recording.hands import NUMBERS, hand_of
+from prospect_mj.recording.hands import hand_of
+from prospect_mj.recording.presenter import Presenter
 from prospect_mj.recording.recording import Recording
-from prospect_mj.recording.trial import RecordedLook, RecordedStep, RecordedTrial
+from prospect_mj.recording.trial import (
+    RecordedLook,
+    RecordedStep,
+    RecordedTrial,
+    not_recorded,
+)
 from prospect_mj.robot.names import Side
 from prospect_mj.supervisor.predicates import PredicateState
 from prospect_mj.supervisor.supervisor import Supervisor
@@ -37,9 +42,7 @@ class RecordedTask(RecordedTrial):
         """
         super().__init__(supervisor)
         self.recording = recording
-        complete = recording.complete(depth)
-        lids = recording.presentations.lid[complete]
-        self._complete = {side: complete[lids == lid] for side, lid in NUMBERS.items()}
+        self._presenter = Presenter(recording, depth)
 
     def reset(self, orientation: Orientation, rng: np.random.Generator) -> RecordedLook:
         """Present the jar as in one of the recorded presentations.
@@ -49,7 +52,7 @@ class RecordedTask(RecordedTrial):
             rng: draws the presentation.
         """
         shown = self.recording.presentations
-        number = rng.choice(self._complete[orientation])
+        number = self._presenter.draw(orientation, rng)
         self.begin(int(shown.root[number]))
         return RecordedLook(str(shown.look[number]), shown.histogram[number])
 
@@ -77,10 +80,7 @@ class RecordedTask(RecordedTrial):
         nodes = self.recording.nodes
         led_to = int(nodes.child[self.node, action])
         if led_to == UNKNOWN:
-            raise RecordingError(
-                f"{action.label} from here was not recorded: the trial has more than "
-                f"{nodes.depth[self.node]} executed actions"
-            )
+            raise not_recorded(action, nodes.depth[self.node])
         if led_to == self.node:
             return None
         return RecordedStep(

@@ -34,6 +34,19 @@ class RecordedStep(NamedTuple):
     """Simulated time of it [s]."""
 
 
+def not_recorded(action: Action, depth: int) -> RecordingError:
+    """The error that an outcome is missing.
+
+    Args:
+        action: that was to be run.
+        depth: executed actions before it.
+    """
+    return RecordingError(
+        f"{action.label} from here was not recorded: the trial has more than {depth} "
+        "executed actions"
+    )
+
+
 class RecordedTrial(Closing):
     """Steps from node to node.
 

@@ -30,7 +30,7 @@ class Workers:
     """Where work is done."""
 
     jobs: int = 2
-    """Processes."""
+    """Processes side by side."""
     backend: Backend = "local"
     """local: processes of this machine; ray: of an existing Ray cluster, whose address
     is in RAY_ADDRESS (needs the extra `cluster`)."""

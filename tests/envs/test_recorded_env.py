@@ -13,6 +13,7 @@ from ideal_grower import SECONDS, grown_tree
 
 import prospect_mj  # noqa: F401  (registers the environment)
 from prospect_mj import paths
+from prospect_mj.agent.features import StateFeatureGenerator
 from prospect_mj.envs.pick_place import PickPlaceEnv
 from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.errors import InvalidChoice, InvalidValue, RecordingError
@@ -117,8 +118,7 @@ def test_the_features_are_those_of_the_recorded_picture(env, recording):
     number = int(np.flatnonzero(shown.root == root)[0])
     assert shown.lid[number] == RIGHT
     observation, *_ = env.step(INSERT["left"])
-    generator = env.unwrapped._generator
-    expected = generator.generate(shown.histogram[number], "none")
+    expected = StateFeatureGenerator().generate(shown.histogram[number], "none")
     np.testing.assert_array_equal(observation, expected)
 
 
@@ -147,6 +147,16 @@ def test_it_needs_neither_mujoco_nor_opengl():
         "assert not {'mujoco', 'mink', 'dm_control'} & set(sys.modules)"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_there_is_nothing_to_render():
+    with pytest.raises(InvalidValue, match="'human'; expected None on recorded"):
+        PickPlaceEnv(physics="recorded", render_mode="human")
+    # Asked for by Stable-Baselines3's make_vec_env, and then never called.
+    env = PickPlaceEnv(physics="recorded", render_mode="rgb_array")
+    assert env.metadata["render_modes"] == []
+    with pytest.raises(InvalidValue, match=r"'rgb_array'; .* nothing is simulated"):
+        env.render()
 
 
 def test_it_has_no_live_scene(env):
@@ -212,6 +222,14 @@ def test_other_sources_or_versions_are_warned_of_and_stepped(monkeypatch):
         ({"object_pose": "guess"}, InvalidChoice, "valid: vision, truth"),
         ({"grid_cells": "x"}, InvalidValue, "grid_cells is 'x'"),
         ({"grid_cells": 1}, InvalidValue, "from 2 to"),
+        ({"observation": "pixels"}, InvalidChoice, "valid: features, images"),
+        (
+            {"physics": "recorded", "observation": "images"},
+            InvalidValue,
+            "'features' on recorded physics, which holds histograms and no images",
+        ),
+        ({"width": 0}, InvalidValue, "width is 0; expected an integer from 32"),
+        ({"height": 480.0}, InvalidValue, "height is 480.0; expected an integer"),
         (
             {"physics": "recorded", "recording": paths.ASSETS},
             RecordingError,

@@ -1,0 +1,60 @@
+"""What an installed package must be able to do; run outside of the checkout.
+
+    python smoke.py FOLDER
+
+FOLDER is where the package is installed, with its entry points in FOLDER/bin.
+"""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+
+def prospect(installed: Path, *words: str) -> str:
+    """What a command prints; one that fails ends the test with its words."""
+    command = [sys.executable, installed / "bin" / "prospect", *words]
+    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
+def check_model(installed: Path) -> None:
+    """The torso compiles, from the files that came along."""
+    import mujoco
+
+    from prospect_mj import paths
+
+    assert paths.torso_xml().is_relative_to(installed)
+    assert paths.jar_obj().is_relative_to(installed)
+    assert mujoco.MjModel.from_xml_path(str(paths.torso_xml())).nu >= 14
+
+
+def check_environments() -> None:
+    """Live and recorded physics can be had by their name."""
+    import gymnasium
+
+    import prospect_mj  # noqa: F401
+
+    for physics in ("recorded", "live"):
+        env = gymnasium.make("prospect_mj/PickPlace-v0", physics=physics)
+        env.reset(seed=0, options={"orientation": "left"})
+        *_, info = env.step(0)
+        assert (info["result"], info["holding"]) == ("success", "left"), info
+        env.close()
+
+
+def check_commands(installed: Path) -> None:
+    """A run can be made, replayed and looked through."""
+    assert prospect(installed, "--version").strip()
+    checks = json.loads(prospect(installed, "doctor", "--json"))
+    assert checks
+    few = ("--trials", "2", "--record", "all", "--out", "run")
+    prospect(installed, "train", *few)
+    prospect(installed, "replay", "run", "--trial", "0", "--save", "trial.rrd")
+    assert Path("trial.rrd").stat().st_size > 10_000
+
+
+if __name__ == "__main__":
+    where = Path(sys.argv[1]).resolve()
+    check_model(where)
+    check_environments()
+    check_commands(where)
