@@ -72,9 +72,8 @@ def test_sdist_carries_all_that_the_repository_does(sdist):
     tracked = subprocess.run(
         ["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True
     ).stdout.split()
-    packed = {
-        name.partition("/")[2] for name in tarfile.open(sdist).getnames() if "/" in name
-    }
+    with tarfile.open(sdist) as archive:
+        packed = {name.partition("/")[2] for name in archive.getnames()}
     assert set(tracked) - packed <= NOT_PACKED
 
 

@@ -9,7 +9,7 @@ from tqdm import tqdm
 
 from prospect_mj.cli import command_line
 from prospect_mj.cli.output import Output
-from prospect_mj.experiment.bench import BenchConfig, bench
+from prospect_mj.experiment.studies.bench import BenchConfig, bench
 
 
 @dataclass(frozen=True)

@@ -78,7 +78,7 @@ def main(
 
 
 def _automaton() -> bytes:
-    from prospect_mj.experiment import automaton_plot
+    from prospect_mj.experiment.pictures import automaton_plot
 
     return automaton_plot.automaton()
 
@@ -86,20 +86,20 @@ def _automaton() -> bytes:
 def _field() -> bytes:
     gl.require_gl()
     # dm_control, which composes the scene, needs OpenGL chosen before it is loaded.
-    from prospect_mj.experiment import field_plot
+    from prospect_mj.experiment.pictures import field_plot
 
     return field_plot.field_picture()
 
 
 def _scene() -> bytes:
     gl.require_gl()
-    from prospect_mj.experiment import scene_picture
+    from prospect_mj.experiment.pictures import scene_picture
 
     return scene_picture.scene_picture()
 
 
 def _replay() -> bytes:
     gl.require_gl()
-    from prospect_mj.experiment import replay_picture
+    from prospect_mj.experiment.pictures import replay_picture
 
     return replay_picture.replay_picture()

@@ -11,13 +11,13 @@ import tyro
 from prospect_mj.cli import command_line
 from prospect_mj.cli.output import Output
 from prospect_mj.errors import InvalidValue, ProspectError
-from prospect_mj.experiment.environment import MakeEnvironment, make_environment
 from prospect_mj.experiment.evaluation.evaluate import evaluate
 from prospect_mj.experiment.evaluation.report import Report
-from prospect_mj.experiment.evaluation.settings import EvaluationSettings
 from prospect_mj.experiment.evaluation.text import text
-from prospect_mj.experiment.kept_episodes import Kept
-from prospect_mj.experiment.run_view import RunView
+from prospect_mj.experiment.run.environment import MakeEnvironment, make_environment
+from prospect_mj.experiment.run.kept_episodes import Kept
+from prospect_mj.experiment.view.evaluation_settings import EvaluationSettings
+from prospect_mj.experiment.view.run_view import RunView
 
 
 @dataclass(frozen=True)

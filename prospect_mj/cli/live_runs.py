@@ -12,7 +12,7 @@ from tqdm import tqdm
 from prospect_mj.cli import command_line
 from prospect_mj.experiment.paper.live import live_runs
 from prospect_mj.experiment.paper.live.live_runs import LiveRuns
-from prospect_mj.experiment.seeds.side_by_side import check_all_finished
+from prospect_mj.experiment.run.side_by_side import check_all_finished
 from prospect_mj.recording.workers import Workers
 from prospect_mj.sim import gl
 

@@ -55,9 +55,9 @@ def _plot(options: PlotOptions) -> None:
     if options.grasps:
         gl.require_gl()
     # MuJoCo and Matplotlib are not loaded before it is known what they are needed for.
-    from prospect_mj.experiment.folder_guard import check_vacant
     from prospect_mj.experiment.portraits.portfolio import draw
-    from prospect_mj.experiment.run_view import RunView
+    from prospect_mj.experiment.run.folder_guard import check_vacant
+    from prospect_mj.experiment.view.run_view import RunView
 
     run = RunView.read(options.run)
     out = options.run / _FOLDER if options.out is None else options.out

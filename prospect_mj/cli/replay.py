@@ -75,7 +75,7 @@ def _replay(options: ReplayOptions) -> None:
     _check_can_show(options)
     gl.require_gl()
     # MuJoCo is not loaded before it is known that it can render.
-    from prospect_mj.experiment import replayed
+    from prospect_mj.experiment.watching import replayed
     from prospect_mj.replay.rerun_export import export
 
     choice = replayed.Choice(options.trial, options.worst, options.failures)

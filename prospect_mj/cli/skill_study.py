@@ -16,7 +16,7 @@ from prospect_mj.recording.workers import Workers
 from prospect_mj.sim import gl
 
 if TYPE_CHECKING:
-    from prospect_mj.experiment.skill_study import PolicyEpisode, SkillRun
+    from prospect_mj.experiment.studies.skill_study import PolicyEpisode, SkillRun
 
 _MOST = 100_000
 
@@ -64,7 +64,7 @@ def main(argv: Sequence[str] | None = None, prog: str = "skill_study.py") -> int
 def _study(options: StudyOptions) -> None:
     gl.require_gl()
     # MuJoCo is not loaded before it is known that it can render.
-    from prospect_mj.experiment import skill_study
+    from prospect_mj.experiment.studies import skill_study
 
     runs = _counted(
         skill_study.skills_in_parallel, options.presentations, "presentation", options

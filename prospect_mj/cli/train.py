@@ -12,12 +12,12 @@ from prospect_mj.agent import LearnerSettings
 from prospect_mj.cli import command_line
 from prospect_mj.cli.output import Output
 from prospect_mj.errors import InvalidValue
-from prospect_mj.experiment import session
-from prospect_mj.experiment.config import TrainConfig
-from prospect_mj.experiment.environment import MakeEnvironment, make_environment
-from prospect_mj.experiment.kept_episodes import Kept
-from prospect_mj.experiment.run_folder import RunFolder, read_config
-from prospect_mj.experiment.summary import Summary
+from prospect_mj.experiment.run import session
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.environment import MakeEnvironment, make_environment
+from prospect_mj.experiment.run.kept_episodes import Kept
+from prospect_mj.experiment.run.run_folder import RunFolder, read_config
+from prospect_mj.experiment.run.summary import Summary
 from prospect_mj.recording.workers import Workers
 
 

@@ -62,7 +62,7 @@ def main(argv: Sequence[str] | None = None, prog: str = "video.py") -> int:
 def _film(options: VideoOptions) -> None:
     gl.require_gl()
     # MuJoCo is not loaded before it is known that it can render.
-    from prospect_mj.experiment import replayed
+    from prospect_mj.experiment.watching import replayed
     from prospect_mj.replay.video import VideoSettings, film
 
     look = VideoSettings(options.width, options.height, captions=options.captions)

@@ -9,7 +9,7 @@ from prospect_mj.cli import command_line
 from prospect_mj.cli.video import check_new_video
 from prospect_mj.display import require_display
 from prospect_mj.errors import InvalidChoice, InvalidValue
-from prospect_mj.experiment.shown import Shown
+from prospect_mj.experiment.watching.shown import Shown
 from prospect_mj.robot.names import Side
 from prospect_mj.sim import gl
 
@@ -86,7 +86,7 @@ def _view(options: ViewOptions) -> None:
         require_display("--video FILE.mp4 writes a video in place of opening a window")
     gl.require_gl()
     # MuJoCo is not loaded before it is known that it can render.
-    from prospect_mj.experiment.live_view import in_film, in_window
+    from prospect_mj.experiment.watching.live_view import in_film, in_window
 
     shown = options.shown()
     film = options.video

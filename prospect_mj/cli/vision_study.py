@@ -10,7 +10,7 @@ import tyro
 from tqdm import tqdm
 
 from prospect_mj.cli import command_line
-from prospect_mj.experiment.vision_study import (
+from prospect_mj.experiment.studies.vision_study import (
     Observatory,
     Samples,
     VisionStudySettings,
@@ -19,7 +19,7 @@ from prospect_mj.experiment.vision_study import (
 )
 
 if TYPE_CHECKING:
-    from prospect_mj.experiment.vision_study import Sample
+    from prospect_mj.experiment.studies.vision_study import Sample
     from prospect_mj.sim.pinhole import Pinhole
 
 
@@ -72,7 +72,7 @@ def _study(options: StudyOptions) -> None:
 
 
 def _draw(train: Samples, eyes: "tuple[Pinhole, Pinhole]", folder: Path) -> None:
-    from prospect_mj.experiment import vision_plots
+    from prospect_mj.experiment.studies import vision_plots
 
     pictures = {
         "vision_looks.png": vision_plots.looks(train),

@@ -8,9 +8,9 @@ import pytest
 from ideal_env import IdealEnv, refuse
 
 from prospect_mj.cli import evaluate
-from prospect_mj.experiment import session
-from prospect_mj.experiment.config import TrainConfig
-from prospect_mj.experiment.kept_episodes import kept_trials
+from prospect_mj.experiment.run import session
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.kept_episodes import kept_trials
 
 
 class Watched(IdealEnv):
@@ -26,7 +26,7 @@ class Watched(IdealEnv):
 @pytest.fixture(autouse=True)
 def unseen(monkeypatch):
     """Episodes of nothing are files without content."""
-    from prospect_mj.experiment import episode_keeper
+    from prospect_mj.experiment.run import episode_keeper
 
     monkeypatch.setattr(
         episode_keeper.episode_file, "write", lambda path, *_: path.touch()

@@ -14,7 +14,7 @@ from ideal_env import IdealEnv
 
 from prospect_mj.cli import bench, reproduce, train
 from prospect_mj.cli.output import Output, as_json
-from prospect_mj.experiment.bench import BenchResult
+from prospect_mj.experiment.studies.bench import BenchResult
 
 
 class Level(StrEnum):

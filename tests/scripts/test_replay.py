@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from prospect_mj.cli import replay, video
-from prospect_mj.experiment import session
-from prospect_mj.experiment.config import TrainConfig
-from prospect_mj.experiment.kept_episodes import Kept, path_of
+from prospect_mj.experiment.run import session
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.kept_episodes import Kept, path_of
 
 pytestmark = pytest.mark.gl
 

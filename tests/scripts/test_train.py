@@ -8,8 +8,8 @@ from ideal_env import IdealEnv
 
 from prospect_mj.cli import train
 from prospect_mj.errors import MissingFile, RenderingUnavailable, UnforeseenEvent
-from prospect_mj.experiment import session
-from prospect_mj.experiment.config import TrainConfig
+from prospect_mj.experiment.run import session
+from prospect_mj.experiment.run.config import TrainConfig
 
 ROOT = Path(__file__).resolve().parents[2]
 

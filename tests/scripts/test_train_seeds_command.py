@@ -6,7 +6,7 @@ import pytest
 from ideal_env import IdealEnv, refuse
 
 from prospect_mj.cli import train
-from prospect_mj.experiment.run_folder import RunFolder
+from prospect_mj.experiment.run.run_folder import RunFolder
 
 
 @pytest.fixture(autouse=True)

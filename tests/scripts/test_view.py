@@ -6,8 +6,8 @@ import pytest
 from prospect_mj.actions.action import Action
 from prospect_mj.cli import view
 from prospect_mj.errors import InvalidChoice, InvalidValue, NoDisplay
-from prospect_mj.experiment import live_view
-from prospect_mj.experiment.shown import Shown
+from prospect_mj.experiment.watching import live_view
+from prospect_mj.experiment.watching.shown import Shown
 from prospect_mj.task.pick_place import PickPlaceTask
 
 LATE = (Action.GRASP_RIGHT, Action.SWAP_RIGHT_TO_LEFT, Action.INSERT_LEFT)

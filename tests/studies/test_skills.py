@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from prospect_mj.control.arm_control import GROSS_MOTIONS
-from prospect_mj.experiment.skill_study import (
+from prospect_mj.experiment.studies.skill_study import (
     random_policy_in_parallel,
     skills_in_parallel,
     summarise,

@@ -3,7 +3,7 @@
 import pytest
 
 from prospect_mj.actions.action import Action
-from prospect_mj.experiment.supervisor_study import table, watched_in_parallel
+from prospect_mj.experiment.studies.supervisor_study import table, watched_in_parallel
 from prospect_mj.supervisor.plant import plant, supervision
 from prospect_mj.supervisor.supervisor import MODES, Supervisor
 from prospect_mj.task.pick_place import TaskSettings

@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 
 from prospect_mj.errors import InvalidValue
-from prospect_mj.experiment.learning_study import learning_study
-from prospect_mj.experiment.vision_study import (
+from prospect_mj.experiment.studies.learning_study import learning_study
+from prospect_mj.experiment.studies.vision_study import (
     Observatory,
     VisionStudySettings,
     histogram_banks,

@@ -10,7 +10,7 @@ import platformdirs
 import psutil
 
 from prospect_mj.experiment.doctor.check import Check, Level
-from prospect_mj.experiment.folder_guard import DEFAULT_PARENT
+from prospect_mj.experiment.run.folder_guard import DEFAULT_PARENT
 
 _GB = 1e9
 ENOUGH_MEMORY, ENOUGH_DISK = 1.0, 1.0

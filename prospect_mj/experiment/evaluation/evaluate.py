@@ -12,26 +12,27 @@ from typing import TYPE_CHECKING
 
 from prospect_mj.agent import LinearQ
 from prospect_mj.errors import RunFolderError
-from prospect_mj.experiment import trial_loop
-from prospect_mj.experiment.environment import (
-    Environment,
-    MakeEnvironment,
-    make_environment,
-)
-from prospect_mj.experiment.evaluation import evaluation_file, places
-from prospect_mj.experiment.evaluation.evaluation_file import Learned, StoredEvaluation
+from prospect_mj.experiment.evaluation import places
 from prospect_mj.experiment.evaluation.evaluation_folder import (
     EvaluationFolder,
     is_begun,
 )
-from prospect_mj.experiment.evaluation.settings import EvaluationSettings
-from prospect_mj.experiment.kept_episodes import Kept
-from prospect_mj.experiment.progress import Progress
-from prospect_mj.experiment.run_view import RunView
-from prospect_mj.experiment.trial_loop import FinishedTrial, Presented
+from prospect_mj.experiment.run import trial_loop
+from prospect_mj.experiment.run.environment import (
+    Environment,
+    MakeEnvironment,
+    make_environment,
+)
+from prospect_mj.experiment.run.kept_episodes import Kept
+from prospect_mj.experiment.run.progress import Progress
+from prospect_mj.experiment.run.trial_loop import FinishedTrial, Presented
+from prospect_mj.experiment.view import evaluation_file
+from prospect_mj.experiment.view.evaluation_file import Learned, StoredEvaluation
+from prospect_mj.experiment.view.evaluation_settings import EvaluationSettings
+from prospect_mj.experiment.view.run_view import RunView
 
 if TYPE_CHECKING:
-    from prospect_mj.experiment.episode_keeper import EpisodeKeeper
+    from prospect_mj.experiment.run.episode_keeper import EpisodeKeeper
 
 Say = Callable[[str], None]
 
@@ -134,6 +135,6 @@ def _finish(
 
 def _keeper(folder: EvaluationFolder, env: Environment, kept: Kept) -> "EpisodeKeeper":
     # Where nothing is to be seen, nothing of MuJoCo is loaded.
-    from prospect_mj.experiment.episode_keeper import EpisodeKeeper
+    from prospect_mj.experiment.run.episode_keeper import EpisodeKeeper
 
     return EpisodeKeeper(folder.path, folder.evaluation.origin, env.watch(), kept)

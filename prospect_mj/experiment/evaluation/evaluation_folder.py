@@ -17,12 +17,13 @@ import pyarrow as pa
 
 from prospect_mj.agent import LinearQ
 from prospect_mj.errors import RunFolderError
-from prospect_mj.experiment.evaluation import evaluation_file, state
-from prospect_mj.experiment.evaluation.evaluation_file import StoredEvaluation
-from prospect_mj.experiment.folder_guard import check_vacant
-from prospect_mj.experiment.records import action_table, trial_table
-from prospect_mj.experiment.run_files import WEIGHTS, RunState
-from prospect_mj.experiment.trial_loop import FinishedTrial
+from prospect_mj.experiment.run.folder_guard import check_vacant
+from prospect_mj.experiment.run.records import action_table, trial_table
+from prospect_mj.experiment.run.run_files import WEIGHTS, RunState
+from prospect_mj.experiment.run.trial_loop import FinishedTrial
+from prospect_mj.experiment.view import evaluation_file
+from prospect_mj.experiment.view import evaluation_state as state
+from prospect_mj.experiment.view.evaluation_file import StoredEvaluation
 from prospect_mj.locking import LockedFolder
 from prospect_mj.storage import temporary
 from prospect_mj.tables import appended
@@ -77,7 +78,7 @@ class EvaluationFolder(LockedFolder):
         """
         folder = cls(path, evaluation_file.read(path))
         with folder.closed_if_it_fails():
-            folder.state = state.read_state(path, folder.evaluation.origin)
+            folder.state = evaluation_state.read_state(path, folder.evaluation.origin)
         return folder
 
     @property

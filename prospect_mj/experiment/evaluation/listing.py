@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from prospect_mj.experiment.run_view import RunView
+from prospect_mj.experiment.view.run_view import RunView
 
 
 @dataclass(frozen=True)

@@ -4,10 +4,10 @@ from itertools import count
 from pathlib import Path
 
 from prospect_mj.errors import RunFolderError
-from prospect_mj.experiment.evaluation import evaluation_file
-from prospect_mj.experiment.evaluation.evaluation_file import StoredEvaluation
 from prospect_mj.experiment.evaluation.evaluation_folder import check_free, is_begun
-from prospect_mj.experiment.run_files import TRIALS, read_table
+from prospect_mj.experiment.run.run_files import TRIALS, read_table
+from prospect_mj.experiment.view import evaluation_file
+from prospect_mj.experiment.view.evaluation_file import StoredEvaluation
 
 FOLDER = "evaluations"
 """In that of the run."""

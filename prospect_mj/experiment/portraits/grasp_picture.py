@@ -20,8 +20,8 @@ from prospect_mj.experiment.paper.figures.figure_frame import (
     write,
 )
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
-from prospect_mj.experiment.plots import png
 from prospect_mj.experiment.portraits.grasp_phases import GraspPhases
+from prospect_mj.experiment.run.plots import png
 
 _LOOKS = {
     Status.CONVERGED: (BLUE, "o"),

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.errors import RecordingError
-from prospect_mj.experiment.config import TrainConfig
+from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.recording.hands import NUMBERS
 from prospect_mj.recording.recording import Recording
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation

@@ -7,9 +7,9 @@ from numpy.typing import NDArray
 from tqdm import tqdm
 
 from prospect_mj.episodes import episode_file
-from prospect_mj.experiment.kept_episodes import kept_trials, path_of
 from prospect_mj.experiment.portraits.grasp_phases import GraspPhases, grasps_of
-from prospect_mj.experiment.run_view import RunView
+from prospect_mj.experiment.run.kept_episodes import kept_trials, path_of
+from prospect_mj.experiment.view.run_view import RunView
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
 

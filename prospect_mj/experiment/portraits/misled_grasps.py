@@ -16,9 +16,9 @@ from tqdm import tqdm
 from prospect_mj.actions.action import Action
 from prospect_mj.actions.belief import Belief, SeenJar
 from prospect_mj.checks import check_number
-from prospect_mj.experiment.config import TrainConfig
-from prospect_mj.experiment.environment import make_environment
 from prospect_mj.experiment.portraits.grasp_phases import GraspPhases, grasps_of
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.environment import make_environment
 from prospect_mj.task.presentation import ORIENTATIONS
 
 _GRASPS = (Action.GRASP_LEFT, Action.GRASP_RIGHT)

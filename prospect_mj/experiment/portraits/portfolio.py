@@ -7,14 +7,14 @@ from numpy.typing import NDArray
 from tqdm import tqdm
 
 from prospect_mj.agent import StateFeatureGenerator
-from prospect_mj.experiment.kept_episodes import kept_trials
 from prospect_mj.experiment.portraits.decisive_bins import MadeUpMind
 from prospect_mj.experiment.portraits.histograms import SeenHistograms
 from prospect_mj.experiment.portraits.run_frame import name_of
 from prospect_mj.experiment.portraits.start_value_picture import start_values
 from prospect_mj.experiment.portraits.strategy_picture import strategies
 from prospect_mj.experiment.portraits.weights_picture import weights
-from prospect_mj.experiment.run_view import RunView
+from prospect_mj.experiment.run.kept_episodes import kept_trials
+from prospect_mj.experiment.view.run_view import RunView
 from prospect_mj.task.presentation import Orientation
 
 STRATEGIES = "strategies.png"

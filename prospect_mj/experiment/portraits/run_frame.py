@@ -12,7 +12,7 @@ from prospect_mj.experiment.paper.figures.figure_frame import (
     panels,
     write,
 )
-from prospect_mj.experiment.run_view import RunView
+from prospect_mj.experiment.view.run_view import RunView
 
 _LONGEST = 24
 """Letters that are shown of a folder's name."""

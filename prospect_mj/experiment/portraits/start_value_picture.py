@@ -6,7 +6,6 @@ from matplotlib.text import Text
 from numpy.typing import NDArray
 from scipy.optimize import isotonic_regression
 
-from prospect_mj.experiment.learning_curve import OPTIMUM
 from prospect_mj.experiment.paper.figures.figure_frame import (
     BLUE,
     GREEN,
@@ -15,10 +14,11 @@ from prospect_mj.experiment.paper.figures.figure_frame import (
     VERMILION,
 )
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
-from prospect_mj.experiment.plots import png
 from prospect_mj.experiment.portraits.run_frame import name_of, run_panels, say_empty
-from prospect_mj.experiment.records import ACTION_NAMES
-from prospect_mj.experiment.run_view import RunView
+from prospect_mj.experiment.run.learning_curve import OPTIMUM
+from prospect_mj.experiment.run.plots import png
+from prospect_mj.experiment.run.records import ACTION_NAMES
+from prospect_mj.experiment.view.run_view import RunView
 from prospect_mj.task.presentation import ORIENTATIONS
 
 _KINDS = (BLUE, GREEN, VERMILION)

@@ -12,14 +12,14 @@ from prospect_mj.experiment.paper.figures.figure_frame import SMALL
 from prospect_mj.experiment.paper.figures.strategy_figure import LOOKS
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
 from prospect_mj.experiment.paper.populations.strategies import Strategy, easy
-from prospect_mj.experiment.plots import png
 from prospect_mj.experiment.portraits.run_frame import name_of, run_panels, say_empty
 from prospect_mj.experiment.portraits.trial_strategies import (
     TrialStrategies,
     set_edges,
     set_size,
 )
-from prospect_mj.experiment.run_view import RunView
+from prospect_mj.experiment.run.plots import png
+from prospect_mj.experiment.view.run_view import RunView
 from prospect_mj.recording.hands import NUMBERS
 
 _SHOWN = [LOOKS[strategy.name.lower()] for strategy in Strategy]

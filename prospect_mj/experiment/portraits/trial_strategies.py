@@ -7,10 +7,10 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
-from prospect_mj.experiment.learning_curve import BLOCK
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
 from prospect_mj.experiment.paper.measures.curves import ratio
 from prospect_mj.experiment.paper.populations.strategies import Strategy, classify
+from prospect_mj.experiment.run.learning_curve import BLOCK
 from prospect_mj.recording.hands import NUMBERS
 
 SET = 50

@@ -13,10 +13,10 @@ from prospect_mj.experiment.paper.figures.figure_frame import (
     VERMILION,
     write,
 )
-from prospect_mj.experiment.plots import png
 from prospect_mj.experiment.portraits.decisive_bins import HOLDINGS, MadeUpMind
 from prospect_mj.experiment.portraits.value_tables import draw_tables, signed
-from prospect_mj.experiment.records import ACTION_NAMES
+from prospect_mj.experiment.run.plots import png
+from prospect_mj.experiment.run.records import ACTION_NAMES
 
 COLOURS = {"left": BLUE, "right": VERMILION}
 """Of what belongs to an orientation, by side of the lid."""

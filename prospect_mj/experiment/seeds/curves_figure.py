@@ -4,7 +4,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from prospect_mj.experiment.learning_curve import BLOCK, WINDOW, block_means
 from prospect_mj.experiment.paper.figures.figure_frame import (
     BLUE,
     Heading,
@@ -18,7 +17,8 @@ from prospect_mj.experiment.paper.measures.bootstrap import (
     band,
     times_drawn,
 )
-from prospect_mj.experiment.plots import draw_levels, png
+from prospect_mj.experiment.run.learning_curve import BLOCK, WINDOW, block_means
+from prospect_mj.experiment.run.plots import draw_levels, png
 
 _PALE = "#9fb4c4"
 

@@ -15,11 +15,11 @@ from pathlib import Path
 import pyarrow.parquet as pq
 from pyarrow.lib import ArrowException
 
-from prospect_mj.experiment import folder_guard
-from prospect_mj.experiment.run_files import CONFIG, CURVE, TRIALS
-from prospect_mj.experiment.run_folder import read_config
-from prospect_mj.experiment.seeds.side_by_side import Wanted
-from prospect_mj.experiment.session import check_same_run
+from prospect_mj.experiment.run import folder_guard
+from prospect_mj.experiment.run.run_files import CONFIG, CURVE, TRIALS
+from prospect_mj.experiment.run.run_folder import read_config
+from prospect_mj.experiment.run.session import check_same_run
+from prospect_mj.experiment.run.side_by_side import Wanted
 from prospect_mj.storage import temporary
 
 DEFAULT = Path("runs/seeds")

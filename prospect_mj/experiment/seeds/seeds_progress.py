@@ -8,8 +8,8 @@ from pathlib import Path
 from tqdm import tqdm
 
 from prospect_mj.closing import Closing
+from prospect_mj.experiment.run.side_by_side import Ended
 from prospect_mj.experiment.seeds.seeds_folder import n_finished
-from prospect_mj.experiment.seeds.side_by_side import Ended
 
 _EVERY = 0.5
 """Between two looks at the folders [s]."""

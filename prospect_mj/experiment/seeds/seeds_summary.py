@@ -7,14 +7,14 @@ from typing import Self
 import numpy as np
 
 from prospect_mj.experiment.estimate import Estimate, mean_of_few
-from prospect_mj.experiment.learning_curve import (
+from prospect_mj.experiment.paper.report import markdown
+from prospect_mj.experiment.run.learning_curve import (
     NEAR_OPTIMAL,
     WINDOW,
     near_optimal_trial,
 )
-from prospect_mj.experiment.paper.report import markdown
-from prospect_mj.experiment.run_view import RunView
 from prospect_mj.experiment.text_table import aligned
+from prospect_mj.experiment.view.run_view import RunView
 
 
 @dataclass(frozen=True)

@@ -9,16 +9,17 @@ import numpy as np
 import yaml
 
 from prospect_mj.errors import RunFolderError
-from prospect_mj.experiment.config import TrainConfig
-from prospect_mj.experiment.environment import MakeEnvironment, make_environment
-from prospect_mj.experiment.kept_episodes import Kept
-from prospect_mj.experiment.run_view import RunView
-from prospect_mj.experiment.seeds import seeds_folder, side_by_side
+from prospect_mj.experiment.run import side_by_side
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.environment import MakeEnvironment, make_environment
+from prospect_mj.experiment.run.kept_episodes import Kept
+from prospect_mj.experiment.run.side_by_side import Wanted, folder_name
+from prospect_mj.experiment.seeds import seeds_folder
 from prospect_mj.experiment.seeds.curves_figure import learning_curves
 from prospect_mj.experiment.seeds.seeds_folder import CURVES, FIGURES, SUMMARY
 from prospect_mj.experiment.seeds.seeds_progress import SeedsProgress
 from prospect_mj.experiment.seeds.seeds_summary import SeedsSummary
-from prospect_mj.experiment.seeds.side_by_side import Wanted, folder_name
+from prospect_mj.experiment.view.run_view import RunView
 from prospect_mj.locking import LockedFolder
 from prospect_mj.storage import make_folder, replace_file
 

@@ -3,10 +3,10 @@
 from ideal_env import IdealEnv
 
 from prospect_mj.agent import LearnerSettings
-from prospect_mj.experiment.config import TrainConfig
-from prospect_mj.experiment.run_folder import RunFolder
-from prospect_mj.experiment.run_view import RunView
-from prospect_mj.experiment.training import train
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.run_folder import RunFolder
+from prospect_mj.experiment.run.training import train
+from prospect_mj.experiment.view.run_view import RunView
 
 GRASP_LEFT, INSERT_LEFT = 0, 4
 # Every choice in its trials is a random one, and it can't learn to speak of.

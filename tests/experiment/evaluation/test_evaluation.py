@@ -12,10 +12,10 @@ from prospect_mj.errors import FolderInUse, RenderingUnavailable, RunFolderError
 from prospect_mj.experiment.evaluation import evaluate as module
 from prospect_mj.experiment.evaluation.evaluate import evaluate
 from prospect_mj.experiment.evaluation.evaluation_folder import EvaluationFolder
-from prospect_mj.experiment.evaluation.settings import EvaluationSettings
-from prospect_mj.experiment.run_folder import RunFolder
-from prospect_mj.experiment.run_view import RunView
-from prospect_mj.experiment.training import Stream, trial_seed
+from prospect_mj.experiment.run.run_folder import RunFolder
+from prospect_mj.experiment.run.training import Stream, trial_seed
+from prospect_mj.experiment.view.evaluation_settings import EvaluationSettings
+from prospect_mj.experiment.view.run_view import RunView
 
 SETTINGS = EvaluationSettings(trials=3, seed=5)
 

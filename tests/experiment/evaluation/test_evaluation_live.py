@@ -5,9 +5,9 @@ from left_handed import left_handed
 
 from prospect_mj.episodes import episode_file
 from prospect_mj.experiment.evaluation.evaluate import evaluate
-from prospect_mj.experiment.evaluation.settings import EvaluationSettings
-from prospect_mj.experiment.kept_episodes import Kept, kept_trials, path_of
-from prospect_mj.experiment.resimulate import resimulate
+from prospect_mj.experiment.run.kept_episodes import Kept, kept_trials, path_of
+from prospect_mj.experiment.view.evaluation_settings import EvaluationSettings
+from prospect_mj.experiment.watching.resimulate import resimulate
 
 pytestmark = pytest.mark.gl
 

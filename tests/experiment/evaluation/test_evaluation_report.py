@@ -12,8 +12,8 @@ from prospect_mj.cli.replay import ReplayOptions
 from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.evaluation.evaluate import evaluate
 from prospect_mj.experiment.evaluation.report import Report
-from prospect_mj.experiment.evaluation.settings import EvaluationSettings
 from prospect_mj.experiment.evaluation.text import text
+from prospect_mj.experiment.view.evaluation_settings import EvaluationSettings
 
 
 @pytest.fixture(scope="module")

@@ -1,9 +1,9 @@
 """Folders of live runs made by hand, of which everything is known."""
 
-from prospect_mj.experiment import config_file, fingerprint
-from prospect_mj.experiment.config import TrainConfig
-from prospect_mj.experiment.records import TrialRecord, trial_table
-from prospect_mj.experiment.run_files import CONFIG, TRIALS
+from prospect_mj.experiment.run import config_file, fingerprint
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.records import TrialRecord, trial_table
+from prospect_mj.experiment.run.run_files import CONFIG, TRIALS
 from prospect_mj.tables import parquet
 
 

@@ -10,11 +10,11 @@ from live_by_hand import live_run
 
 from prospect_mj.agent import LearnerSettings
 from prospect_mj.errors import RunFolderError
-from prospect_mj.experiment import config_file, fingerprint, session
-from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.paper.live.live_folders import read_live
 from prospect_mj.experiment.paper.populations.scenario import PopulationSettings
-from prospect_mj.experiment.run_folder import RunFolder
+from prospect_mj.experiment.run import config_file, fingerprint, session
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.run_folder import RunFolder
 from prospect_mj.recording import provenance
 from prospect_mj.recording.config import RecordingConfig
 from prospect_mj.recording.key import RecordingKey

@@ -13,12 +13,12 @@ from prospect_mj.errors import (
     SimulationDiverged,
     UnforeseenEvent,
 )
-from prospect_mj.experiment import session
-from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.paper.live import live_runs
 from prospect_mj.experiment.paper.live.live_runs import LiveRuns
-from prospect_mj.experiment.run_folder import RunFolder
-from prospect_mj.experiment.seeds.side_by_side import Ended, check_all_finished
+from prospect_mj.experiment.run import session
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.run_folder import RunFolder
+from prospect_mj.experiment.run.side_by_side import Ended, check_all_finished
 from prospect_mj.sim import gl
 
 

@@ -2,7 +2,6 @@ import numpy as np
 import pytest
 from synthetic import pair, sampled
 
-from prospect_mj.experiment.learning_curve import smoothed_near_optimal_trial
 from prospect_mj.experiment.paper.measures import (
     corrections,
     easy_trials,
@@ -11,6 +10,7 @@ from prospect_mj.experiment.paper.measures import (
 )
 from prospect_mj.experiment.paper.measures.curves import Curves, OfKind
 from prospect_mj.experiment.paper.measures.sample import Pair
+from prospect_mj.experiment.run.learning_curve import smoothed_near_optimal_trial
 
 SWITCH = 4
 INF, NAN = np.inf, np.nan

@@ -9,11 +9,11 @@ import pytest
 from ideal_env import IdealEnv
 
 from prospect_mj.actions.action import Action
-from prospect_mj.experiment.config import TrainConfig
-from prospect_mj.experiment.environment import make_environment
-from prospect_mj.experiment.records import action_table, trial_table
-from prospect_mj.experiment.run_view import RunView
-from prospect_mj.experiment.training import new_learner, train
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.environment import make_environment
+from prospect_mj.experiment.run.records import action_table, trial_table
+from prospect_mj.experiment.run.training import new_learner, train
+from prospect_mj.experiment.view.run_view import RunView
 
 CONFIG = TrainConfig(trials=230, pretrain=80, dominant="left", seed=2)
 

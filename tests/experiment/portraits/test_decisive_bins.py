@@ -7,8 +7,8 @@ from ideal_env import counts_per_orientation
 from prospect_mj.actions.action import Action
 from prospect_mj.agent import FeatureSettings, LinearQ, StateFeatureGenerator
 from prospect_mj.agent.features import N_BINS
-from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.portraits.decisive_bins import HOLDINGS, MadeUpMind
+from prospect_mj.experiment.run.config import TrainConfig
 
 UNSCALED = FeatureSettings(normalisation="unit_sum")
 

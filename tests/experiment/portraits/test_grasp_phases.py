@@ -10,10 +10,10 @@ from prospect_mj.control.grasp_settings import GraspResult, GraspSettings
 from prospect_mj.control.result import Status
 from prospect_mj.episodes.episode import QUANTITIES, ControllerSpan, Signals
 from prospect_mj.errors import InvalidValue
-from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.portraits import misled_grasps
 from prospect_mj.experiment.portraits.grasp_phases import grasps_of
 from prospect_mj.experiment.portraits.misled_grasps import MisledSettings, grasp_misled
+from prospect_mj.experiment.run.config import TrainConfig
 
 NAN = np.nan
 RESIDUAL = QUANTITIES.index("residual")

@@ -8,11 +8,11 @@ from ideal_env import IdealEnv
 
 from prospect_mj.cli.plot import main
 from prospect_mj.episodes import episode_file
-from prospect_mj.experiment import session
-from prospect_mj.experiment.config import TrainConfig
-from prospect_mj.experiment.kept_episodes import path_of
-from prospect_mj.experiment.run_folder import RunFolder
-from prospect_mj.experiment.run_view import RunView
+from prospect_mj.experiment.run import session
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.kept_episodes import path_of
+from prospect_mj.experiment.run.run_folder import RunFolder
+from prospect_mj.experiment.view.run_view import RunView
 
 ALWAYS = ["q_values.png", "strategies.png", "weights.png"]
 

@@ -10,7 +10,6 @@ from prospect_mj.agent import StateFeatureGenerator
 from prospect_mj.agent.features import N_BINS
 from prospect_mj.control.result import Status
 from prospect_mj.errors import RecordingError
-from prospect_mj.experiment.config import TrainConfig
 from prospect_mj.experiment.portraits import histograms
 from prospect_mj.experiment.portraits.decisive_bins import MadeUpMind
 from prospect_mj.experiment.portraits.grasp_phases import GraspPhases
@@ -22,6 +21,7 @@ from prospect_mj.experiment.portraits.strategy_picture import _SHOWN, strategies
 from prospect_mj.experiment.portraits.trial_strategies import TrialStrategies
 from prospect_mj.experiment.portraits.value_tables import signed
 from prospect_mj.experiment.portraits.weights_picture import weights
+from prospect_mj.experiment.run.config import TrainConfig
 
 WIDTH = 1200
 BANK = {side: np.full((2, N_BINS), 1 + (side == "left")) for side in ("left", "right")}

@@ -11,7 +11,7 @@ from prospect_mj.experiment.portraits.trial_strategies import (
     set_edges,
     set_size,
 )
-from prospect_mj.experiment.records import (
+from prospect_mj.experiment.run.records import (
     ActionRecord,
     TrialRecord,
     action_table,

@@ -4,10 +4,10 @@ import numpy as np
 import pyarrow as pa
 import pytest
 
-from prospect_mj.experiment.config import TrainConfig
-from prospect_mj.experiment.records import TrialRecord, trial_table
-from prospect_mj.experiment.run_view import RunView
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.records import TrialRecord, trial_table
 from prospect_mj.experiment.seeds.seeds_summary import SeedsSummary
+from prospect_mj.experiment.view.run_view import RunView
 
 
 def view(seed, n_actions, pretrain=0):

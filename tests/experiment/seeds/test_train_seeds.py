@@ -19,13 +19,13 @@ from prospect_mj.errors import (
     RunFolderError,
     SimulationDiverged,
 )
-from prospect_mj.experiment import session
-from prospect_mj.experiment.config import TrainConfig
-from prospect_mj.experiment.run_view import RunView
+from prospect_mj.experiment.run import session
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.side_by_side import Ended
 from prospect_mj.experiment.seeds import seeds_progress
 from prospect_mj.experiment.seeds.seeds_folder import n_finished
-from prospect_mj.experiment.seeds.side_by_side import Ended
 from prospect_mj.experiment.seeds.train_seeds import train_seeds
+from prospect_mj.experiment.view.run_view import RunView
 from prospect_mj.locking import LockedFolder
 
 CONFIG = TrainConfig(trials=6)

@@ -7,7 +7,6 @@ import numpy as np
 import pyarrow as pa
 from matplotlib.axes import Axes
 
-from prospect_mj.experiment.learning_curve import BLOCK, NEAR_OPTIMAL
 from prospect_mj.experiment.paper.figures.figure_frame import (
     BLUE,
     INK,
@@ -23,7 +22,8 @@ from prospect_mj.experiment.paper.figures.figure_frame import (
     write,
 )
 from prospect_mj.experiment.paper.measures.bootstrap import LEVEL, Floats
-from prospect_mj.experiment.plots import png
+from prospect_mj.experiment.run.learning_curve import BLOCK, NEAR_OPTIMAL
+from prospect_mj.experiment.run.plots import png
 
 _PAPER = "#8b2f75"
 _DOTTED = (0, (1, 2))

@@ -8,8 +8,8 @@ import pyarrow as pa
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from prospect_mj.experiment.learning_curve import BLOCK
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
+from prospect_mj.experiment.run.learning_curve import BLOCK
 
 BLUE, GREEN, VERMILION = "#0072b2", "#009e73", "#d55e00"
 """Colours that the colour-blind tell apart (Okabe and Ito, Color Universal Design: How

@@ -3,10 +3,10 @@
 import numpy as np
 import pyarrow as pa
 
-from prospect_mj.experiment.learning_curve import BLOCK
 from prospect_mj.experiment.paper.measures.bootstrap import Floats, band
 from prospect_mj.experiment.paper.measures.curves import Curves
 from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.experiment.run.learning_curve import BLOCK
 
 CORRECTION = "correction"
 """Early and late corrections together, as in the paper's figure 6."""

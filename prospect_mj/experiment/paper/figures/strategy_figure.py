@@ -25,7 +25,7 @@ from prospect_mj.experiment.paper.figures.figure_frame import (
 )
 from prospect_mj.experiment.paper.figures.figure_tables import CORRECTION
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
-from prospect_mj.experiment.plots import png
+from prospect_mj.experiment.run.plots import png
 
 Strategies = Mapping[str, Mapping[str, Floats]]
 

@@ -17,11 +17,11 @@ from pyarrow.lib import ArrowException
 
 from prospect_mj import tables
 from prospect_mj.errors import ForeignTable, RunFolderError
-from prospect_mj.experiment import config_file, fingerprint
-from prospect_mj.experiment.config_file import StoredConfig
 from prospect_mj.experiment.paper.populations.scenario import PopulationSettings
-from prospect_mj.experiment.records import TRIAL_SCHEMA
-from prospect_mj.experiment.run_files import CONFIG, TRIALS
+from prospect_mj.experiment.run import config_file, fingerprint
+from prospect_mj.experiment.run.config_file import StoredConfig
+from prospect_mj.experiment.run.records import TRIAL_SCHEMA
+from prospect_mj.experiment.run.run_files import CONFIG, TRIALS
 from prospect_mj.recording.key import RecordingKey
 
 _LEARNING = (

@@ -6,11 +6,11 @@ from pathlib import Path
 
 from prospect_mj.checks import check_integer
 from prospect_mj.errors import RunFolderError
-from prospect_mj.experiment.config import TrainConfig
-from prospect_mj.experiment.environment import MakeEnvironment, make_environment
 from prospect_mj.experiment.paper.live.live_check import EXPECTED
-from prospect_mj.experiment.seeds import side_by_side
-from prospect_mj.experiment.seeds.side_by_side import Ended, Wanted, folder_name
+from prospect_mj.experiment.run import side_by_side
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.environment import MakeEnvironment, make_environment
+from prospect_mj.experiment.run.side_by_side import Ended, Wanted, folder_name
 from prospect_mj.storage import make_folder
 
 

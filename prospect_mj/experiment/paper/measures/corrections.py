@@ -8,7 +8,6 @@ what one calls disappeared.
 
 import numpy as np
 
-from prospect_mj.experiment.learning_curve import BLOCK, settled
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
 from prospect_mj.experiment.paper.measures.curves import (
     LONG,
@@ -20,6 +19,7 @@ from prospect_mj.experiment.paper.measures.measure import Measure, measure
 from prospect_mj.experiment.paper.measures.quantity import Kind
 from prospect_mj.experiment.paper.measures.sample import Pair
 from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.experiment.run.learning_curve import BLOCK, settled
 
 GONE = (0.02, 0.01, 0.005)
 """Shares of difficult trials at which a correction counts as gone. Exploration alone

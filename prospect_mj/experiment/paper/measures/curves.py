@@ -11,7 +11,6 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from prospect_mj.experiment.learning_curve import BLOCK
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
 from prospect_mj.experiment.paper.populations.population import Population
 from prospect_mj.experiment.paper.populations.strategies import (
@@ -20,6 +19,7 @@ from prospect_mj.experiment.paper.populations.strategies import (
     easy,
     first_grip,
 )
+from prospect_mj.experiment.run.learning_curve import BLOCK
 
 SMOOTHED = 5
 """Sets per moving mean where an extreme is sought: the largest or smallest of so many

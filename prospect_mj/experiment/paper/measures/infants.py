@@ -10,12 +10,12 @@ from dataclasses import dataclass
 from math import inf
 from typing import NamedTuple
 
-from prospect_mj.experiment.learning_curve import BLOCK
 from prospect_mj.experiment.paper.measures.bootstrap import Floats, interval
 from prospect_mj.experiment.paper.measures.sample import Sample
 from prospect_mj.experiment.paper.measures.stages import Shares, Stages
 from prospect_mj.experiment.paper.measures.statements import EARLY_FIRST
 from prospect_mj.experiment.paper.measures.target import Target, Verdict, agreed
+from prospect_mj.experiment.run.learning_curve import BLOCK
 
 
 @dataclass(frozen=True)

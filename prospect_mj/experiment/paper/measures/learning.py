@@ -5,7 +5,6 @@ The measures of corrections are in `corrections`, those of easy trials in `easy_
 
 import numpy as np
 
-from prospect_mj.experiment.learning_curve import BLOCK, NEAR_OPTIMAL, settled
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
 from prospect_mj.experiment.paper.measures.curves import (
     LONG,
@@ -16,6 +15,7 @@ from prospect_mj.experiment.paper.measures.curves import (
 from prospect_mj.experiment.paper.measures.measure import Measure, measure
 from prospect_mj.experiment.paper.measures.quantity import Kind
 from prospect_mj.experiment.paper.measures.sample import Pair
+from prospect_mj.experiment.run.learning_curve import BLOCK, NEAR_OPTIMAL, settled
 
 RATE_LEVELS = ((6.0, 3.0), (5.0, 3.0), (5.0, 2.5), (4.0, 2.4))
 """Mean actions between which the rate of learning is taken."""

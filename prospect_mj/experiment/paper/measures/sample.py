@@ -4,10 +4,10 @@ from typing import NamedTuple, Self
 
 import numpy as np
 
-from prospect_mj.experiment.learning_curve import BLOCK
 from prospect_mj.experiment.paper.measures.bootstrap import Floats, times_drawn
 from prospect_mj.experiment.paper.measures.curves import Curves, RunCounts
 from prospect_mj.experiment.paper.populations.population import Population
+from prospect_mj.experiment.run.learning_curve import BLOCK
 
 
 class Pair(NamedTuple):

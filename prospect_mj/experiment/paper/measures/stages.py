@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from prospect_mj.experiment.learning_curve import BLOCK
 from prospect_mj.experiment.paper.measures.bootstrap import Floats, Interval, interval
 from prospect_mj.experiment.paper.measures.curves import (
     LONG,
@@ -15,6 +14,7 @@ from prospect_mj.experiment.paper.measures.curves import (
 )
 from prospect_mj.experiment.paper.measures.sample import Sample
 from prospect_mj.experiment.paper.populations.strategies import Grip, Strategy
+from prospect_mj.experiment.run.learning_curve import BLOCK
 
 
 class Shares(NamedTuple):

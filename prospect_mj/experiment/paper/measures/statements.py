@@ -19,12 +19,12 @@ from typing import NamedTuple
 
 import pyarrow as pa
 
-from prospect_mj.experiment.learning_curve import BLOCK
 from prospect_mj.experiment.paper.measures import corrections, easy_trials, learning
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
 from prospect_mj.experiment.paper.measures.measure import Measure
 from prospect_mj.experiment.paper.measures.sample import Sample
 from prospect_mj.experiment.paper.measures.target import Target, Verdict, about, agreed
+from prospect_mj.experiment.run.learning_curve import BLOCK
 
 
 @dataclass(frozen=True)

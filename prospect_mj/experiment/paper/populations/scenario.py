@@ -7,7 +7,7 @@ from prospect_mj.agent.features import N_FEATURES, FeatureSettings
 from prospect_mj.agent.settings import LearnerSettings
 from prospect_mj.checks import check_choice, check_integer, check_number
 from prospect_mj.errors import InvalidValue
-from prospect_mj.experiment.records import ACTION_NAMES
+from prospect_mj.experiment.run.records import ACTION_NAMES
 from prospect_mj.recording.config import LARGEST_SEED
 from prospect_mj.supervisor.supervisor import Mode, Supervisor
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation

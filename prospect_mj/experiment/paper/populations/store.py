@@ -17,7 +17,6 @@ from pyarrow.lib import ArrowException
 
 from prospect_mj import paths, tables
 from prospect_mj.errors import ForeignTable, RunFolderError
-from prospect_mj.experiment.fingerprint import LEARNER_CODE
 from prospect_mj.experiment.paper.populations.population import (
     Population,
     run_population,
@@ -26,6 +25,7 @@ from prospect_mj.experiment.paper.populations.scenario import (
     PopulationSettings,
     Scenario,
 )
+from prospect_mj.experiment.run.fingerprint import LEARNER_CODE
 from prospect_mj.recording.provenance import (
     code_digest,
     installed_versions,

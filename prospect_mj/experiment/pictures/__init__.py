@@ -1,0 +1,1 @@
+"""Pictures of the scene, of planning and of the automaton."""

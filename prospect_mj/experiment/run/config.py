@@ -1,0 +1,109 @@
+"""Settings of a training run."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Self, get_args
+
+from prospect_mj.agent.features import N_FEATURES, FeatureSettings
+from prospect_mj.agent.settings import LearnerSettings
+from prospect_mj.checks import check_choice, check_integer, check_names
+from prospect_mj.envs.settings import Physics
+from prospect_mj.errors import InvalidValue, ProspectError
+from prospect_mj.experiment.run.records import ACTION_NAMES
+from prospect_mj.recording.config import (
+    LARGEST_SEED,
+    MOST_CELLS,
+    GrossMotion,
+    ObjectPose,
+)
+from prospect_mj.supervisor.supervisor import Mode, Supervisor
+from prospect_mj.task.presentation import ORIENTATIONS, Orientation
+
+_MOST_TRIALS = 100_000
+
+
+@dataclass(frozen=True)
+class TrainConfig:
+    """Everything that decides the numbers of a training run."""
+
+    trials: int = 1000
+    """All trials of the run, those of the pretraining included."""
+    pretrain: int = 0
+    """Of these, the first ones show one orientation only; 0: no dominant hand."""
+    dominant: Orientation = "right"
+    """The hand that the pretraining makes dominant: the lid lies on its side."""
+    seed: int = 0
+    """Equal seeds give equal runs, bit for bit."""
+    supervisor: Mode = "none"
+    """Which actions the learner may choose from: none: all six; safe: not the
+    dangerous ones; productive: not the useless ones either."""
+    shaping: tuple[str, ...] = ()
+    """Actions that the learner may not choose in the first trials, such as
+    swap-left-to-right:200 swap-right-to-left:200."""
+    physics: Physics = "live"
+    """live: every action is simulated; recorded: what it led to when it was simulated
+    before is looked up."""
+    recording: str | None = None
+    """Folder of a recording; default: the one that comes with the package."""
+    grow: bool = False
+    """Simulate outcomes that the recording lacks, and add them to it."""
+    object_pose: ObjectPose = "vision"
+    """Where the controllers get the jar's pose from; truth is an ablation."""
+    gross_motion: GrossMotion = "harmonic"
+    """How large movements go: harmonic: along streamlines in configuration space, clear
+    of everything; cartesian: straight, as an ablation."""
+    grid_cells: int = 16
+    """Cells of the harmonic ones' coarsest grid for each of its four joints."""
+    max_actions: int = 10
+    """A trial is cut off after this many actions."""
+    bootstrap_at_truncation: bool = True
+    """Whether the last action of a cut-off trial counts the value of what follows."""
+    features: FeatureSettings = field(default_factory=FeatureSettings)
+    """The state features."""
+    learner: LearnerSettings = field(default_factory=LearnerSettings)
+    """The learner."""
+
+    def __post_init__(self) -> None:
+        """Refuse every number and choice that makes no run."""
+        check_integer("trials", self.trials, 1, _MOST_TRIALS)
+        check_integer("pretraining trials", self.pretrain, 0, self.trials)
+        check_integer("seed", self.seed, 0, LARGEST_SEED)
+        check_integer("actions per trial", self.max_actions, 1, 1000)
+        check_choice("dominant hand", self.dominant, ORIENTATIONS)
+        Supervisor(self.supervisor, self.shaping)
+        check_choice("physics", self.physics, get_args(Physics))
+        check_choice("object pose", self.object_pose, get_args(ObjectPose))
+        check_choice("gross motion", self.gross_motion, get_args(GrossMotion))
+        check_integer("grid cells per joint", self.grid_cells, 2, MOST_CELLS)
+        if not isinstance(self.bootstrap_at_truncation, bool):
+            raise InvalidValue(
+                "bootstrap at truncation", self.bootstrap_at_truncation, "true or false"
+            )
+        sizes = self.learner
+        n_actions = len(ACTION_NAMES)
+        check_integer("number of actions", sizes.n_actions, n_actions, n_actions)
+        check_integer("number of features", sizes.n_features, N_FEATURES, N_FEATURES)
+
+    @classmethod
+    def from_dict(cls, plain: Mapping[str, Any]) -> Self:
+        """Build a configuration from what `dataclasses.asdict` returned.
+
+        Raises:
+            ProspectError: if a setting is missing, unknown or out of range.
+        """
+        check_names(plain, cls)
+        try:
+            return cls(
+                **{
+                    **plain,
+                    "shaping": tuple(plain["shaping"]),
+                    "features": FeatureSettings(**plain["features"]),
+                    "learner": LearnerSettings(**plain["learner"]),
+                }
+            )
+        except TypeError as error:
+            raise ProspectError(f"settings of the wrong type: {error}") from error
+
+    def with_trials(self, trials: int) -> Self:
+        """The same run, longer or shorter."""
+        return replace(self, trials=trials)

@@ -1,0 +1,76 @@
+"""Digests by which a run is known again: of its configuration, models and recording."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from prospect_mj import paths
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.recording import files
+from prospect_mj.recording.key import RecordingKey
+from prospect_mj.recording.provenance import (
+    code_digest,
+    model_digests,
+    sha256,
+    source_digest,
+)
+
+CONFIGURATION = "configuration"
+LEARNER = "learner"
+LEARNER_CODE = ("agent/features.py", "agent/linear_q.py")
+"""What decides how is learned."""
+
+
+def digests(config: TrainConfig) -> dict[str, str]:
+    """SHA-256 of everything that a run must not change while it lasts.
+
+    Args:
+        config: the run; `trials` does not count, as a run may be made longer.
+
+    Returns:
+        Hexadecimal digest of the configuration, of each model file, of the learner's
+        code, and of recorded physics or of the sources of live physics, by name.
+
+    Raises:
+        MissingFile: if a model file is missing.
+        RecordingError: if there is no recording where there should be one.
+    """
+    found = {CONFIGURATION: of_settings(asdict(config)), LEARNER: learner_digest()}
+    found |= model_digests()
+    if config.physics == "recorded":
+        return found | {"recording": _recording_digest(config)}
+    return found | {"sources": source_digest()}
+
+
+def learner_digest() -> str:
+    """SHA-256 of the learner's code; comments, docstrings and layout don't count."""
+    package = Path(paths.__file__).parent
+    return code_digest((n, (package / n).read_text("utf-8")) for n in LEARNER_CODE)
+
+
+def of_settings(settings: Mapping[str, Any]) -> str:
+    """SHA-256 of a run's settings as plain numbers, words and mappings of them."""
+    lasting = {name: value for name, value in settings.items() if name != "trials"}
+    return sha256(json.dumps(lasting, sort_keys=True).encode())
+
+
+def origin(config: TrainConfig) -> str:
+    """One digest of all of `digests`, which ties the other files to the run."""
+    return origin_of(digests(config))
+
+
+def origin_of(found: Mapping[str, str]) -> str:
+    """The same of digests that are there already."""
+    return sha256(json.dumps(dict(found), sort_keys=True).encode())
+
+
+def _recording_digest(config: TrainConfig) -> str:
+    """Of the outcomes; of what decides them where they may become more."""
+    folder = paths.RECORDING if config.recording is None else Path(config.recording)
+    key = RecordingKey.read(folder)
+    if config.grow:
+        return key.digest
+    trees = (path.read_bytes() for path in files.tree_files(folder))
+    return sha256(b"".join([key.digest.encode(), *trees]))

@@ -1,0 +1,60 @@
+"""Which folder a run may have, and that it has it alone."""
+
+import os
+from collections.abc import Collection
+from pathlib import Path
+
+from prospect_mj import storage
+from prospect_mj.errors import RunFolderError
+from prospect_mj.experiment.run import config_file
+
+DEFAULT_PARENT = Path("runs")
+
+
+def check_free(path: Path) -> None:
+    """Refuse a folder that a new run can't have, without touching it.
+
+    Raises:
+        RunFolderError: if `path` is a file, or a folder with something in it.
+    """
+    # No more than a run that was killed at its birth.
+    unborn = storage.temporary(path / config_file.NAME).name
+    check_vacant(path, {unborn}, f"choose another folder, or --resume {path}")
+
+
+def check_vacant(path: Path, own: Collection[str], remedy: str) -> None:
+    """Refuse a folder that can't be taken, without touching it.
+
+    Args:
+        path: the folder.
+        own: names of what may be in it.
+        remedy: what to do where there is anything else.
+
+    Raises:
+        RunFolderError: if `path` is a file, has something else in it, or can't be made.
+    """
+    try:
+        if path.exists() and not path.is_dir():
+            raise RunFolderError(f"{path} is not a folder")
+        if path.exists() and not all(file.name in own for file in path.iterdir()):
+            raise RunFolderError(f"{path} is not empty; {remedy}")
+        ancestry = (path.absolute(), *path.absolute().parents)
+        nearest = next(folder for folder in ancestry if folder.exists())
+    except OSError as error:
+        raise RunFolderError(f"{path} can't be read: {error.strerror}") from error
+    if not nearest.is_dir() or not os.access(nearest, os.W_OK):
+        raise RunFolderError(f"{path} can't be made: {nearest} can't be written to")
+
+
+def new_default() -> Path:
+    """Make the first of runs/train-0001, runs/train-0002, ... that does not exist."""
+    DEFAULT_PARENT.mkdir(exist_ok=True)
+    number = 1
+    while True:
+        path = DEFAULT_PARENT / f"train-{number:04d}"
+        try:
+            path.mkdir()
+        except FileExistsError:
+            number += 1
+        else:
+            return path

@@ -1,0 +1,130 @@
+"""The files of a run, as `run_folder` describes them, and reading its state."""
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import NamedTuple, TypeVar
+
+import numpy as np
+import pyarrow as pa
+from pyarrow.lib import ArrowException
+
+from prospect_mj import tables
+from prospect_mj.agent import LinearQ
+from prospect_mj.errors import ForeignTable, ProspectError, RunFolderError
+from prospect_mj.experiment.run import config_file
+from prospect_mj.experiment.run.records import ACTION_SCHEMA, TRIAL_SCHEMA
+
+CONFIG = config_file.NAME
+ACTIONS = "actions.parquet"
+TRIALS = "trials.parquet"
+WEIGHTS = "weights.npz"
+CURVE = "learning_curve.png"
+
+_SCHEMAS = {ACTIONS: ACTION_SCHEMA, TRIALS: TRIAL_SCHEMA}
+_Content = TypeVar("_Content")
+
+
+class RunState(NamedTuple):
+    """What a run has come to: the finished trials, and the learner after them."""
+
+    learner: LinearQ
+    actions: pa.Table
+    """Under `ACTION_SCHEMA`."""
+    trials: pa.Table
+    """Under `TRIAL_SCHEMA`."""
+
+
+def checked_config(path: Path) -> Path:
+    """The configuration file of a run.
+
+    Raises:
+        RunFolderError: if `path` is no run folder.
+    """
+    if not (path / CONFIG).is_file():
+        raise RunFolderError(f"{path} is not a run folder: it has no {CONFIG}")
+    return path / CONFIG
+
+
+def read_state(path: Path, origin: str) -> RunState | None:
+    """Read what the finished trials of a run have left; another process may write.
+
+    The weights are read first, as they are written last: the tables are then of the
+    same trial or of a later one, whose rows are left out.
+
+    Args:
+        path: its folder.
+        origin: what marks its files.
+
+    Returns:
+        None if the run was killed before its state was written for the first time.
+
+    Raises:
+        RunFolderError: if a file is missing, damaged or of another run.
+    """
+    if _was_killed_at_birth(path, origin):
+        return None
+    learner = read_learner(path, origin)
+    actions = read_table(path, ACTIONS, origin).slice(0, learner.n_updates)
+    n_trials = np.unique(actions["trial"].to_numpy()).size
+    trials = read_table(path, TRIALS, origin).slice(0, n_trials)
+    state = RunState(learner, actions, trials)
+    _check_together(path, state)
+    return state
+
+
+def _was_killed_at_birth(path: Path, origin: str) -> bool:
+    """Whether the files of the state were not all written for the first time."""
+    if (path / WEIGHTS).exists():
+        return False
+    there = [name for name in _SCHEMAS if (path / name).exists()]
+    return not any(read_table(path, name, origin).num_rows for name in there)
+
+
+def _check_together(path: Path, state: RunState) -> None:
+    """The three files must tell of the same trials."""
+    n_updates = state.learner.n_updates
+    numbers = state.trials["trial"].to_pylist()
+    if (
+        state.actions.num_rows != n_updates
+        or state.trials["n_actions"].to_numpy().sum() != n_updates
+        or numbers != list(range(len(numbers)))
+    ):
+        raise RunFolderError(
+            f"{path} is damaged: its tables and weights don't fit together"
+        )
+
+
+def read_learner(path: Path, origin: str) -> LinearQ:
+    """Read the weights of a run.
+
+    Raises:
+        RunFolderError: if they are missing, damaged or of another run.
+    """
+    learner = _read(path / WEIGHTS, LinearQ.load)
+    if learner.origin != origin:
+        raise RunFolderError(f"{path / WEIGHTS} is from another run")
+    return learner
+
+
+def read_table(path: Path, name: str, origin: str) -> pa.Table:
+    """Read one of the two tables of a run.
+
+    Raises:
+        RunFolderError: if it is missing, damaged or of another run.
+    """
+    schema = _SCHEMAS[name]
+    reader = partial(tables.read, schema=schema, origin=origin, of="run")
+    return _read(path / name, reader)
+
+
+def _read(path: Path, reader: Callable[[Path], _Content]) -> _Content:
+    """Read one file of a run, or say which one can't be read."""
+    try:
+        return reader(path)
+    except RunFolderError:
+        raise
+    except ForeignTable as error:
+        raise RunFolderError(str(error)) from error
+    except (OSError, ArrowException, ProspectError) as error:
+        raise RunFolderError(f"{path} can't be read: missing or damaged") from error

@@ -1,0 +1,162 @@
+"""Starting and resuming a run: the order in which things may fail.
+
+Whatever can be wrong is found before anything is written: first the folder, then the
+environment (a missing model file, no OpenGL), and only then does the run begin.
+"""
+
+import time
+from collections.abc import Callable, Mapping
+from contextlib import closing
+from dataclasses import asdict
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from prospect_mj.errors import RunFolderError
+from prospect_mj.experiment.run import folder_guard, plots
+from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.environment import (
+    Environment,
+    MakeEnvironment,
+    make_environment,
+)
+from prospect_mj.experiment.run.kept_episodes import Kept
+from prospect_mj.experiment.run.progress import Progress
+from prospect_mj.experiment.run.run_folder import RunFolder
+from prospect_mj.experiment.run.summary import Summary
+from prospect_mj.experiment.run.training import train
+
+if TYPE_CHECKING:
+    from prospect_mj.experiment.run.episode_keeper import EpisodeKeeper
+
+Say = Callable[[str], None]
+
+# A file or a pipe would show the words at the end of the run only.
+_say_at_once = partial(print, flush=True)
+
+
+def start(
+    config: TrainConfig,
+    out: Path | None = None,
+    make_env: MakeEnvironment = make_environment,
+    say: Say = _say_at_once,
+    kept: Kept | None = None,
+) -> Summary:
+    """Begin a run and bring it to its end.
+
+    Args:
+        config: the run.
+        out: its folder, new or empty; None for the next free one under runs/.
+        make_env: makes the environment.
+        say: told where the run is as soon as there is something to find there.
+        kept: which trials are kept as episodes; None: none.
+
+    Raises:
+        RunFolderError: if `out` can't be had; nothing was written then.
+    """
+    if out is not None:
+        folder_guard.check_free(out)
+    with (
+        closing(make_env(config)) as env,
+        RunFolder.create(out, config) as folder,
+    ):
+        say(f"training in {folder.path}; --resume {folder.path} goes on after a stop")
+        return _finish(folder, env, kept)
+
+
+def resume(
+    path: Path,
+    config: TrainConfig,
+    make_env: MakeEnvironment = make_environment,
+    say: Say = _say_at_once,
+    kept: Kept | None = None,
+) -> Summary | None:
+    """Continue a run exactly where its last finished trial left it.
+
+    Args:
+        path: the run folder.
+        config: the run's own configuration, or the same with more trials.
+        make_env: makes the environment.
+        say: told what is left to do.
+        kept: which of the trials that are left are kept as episodes; None: none.
+
+    Returns:
+        None if the run was finished already; nothing was written then.
+
+    Raises:
+        RunFolderError: if the folder can't be used or holds another run.
+    """
+    with RunFolder.open(path) as folder:
+        check_same_run(path, folder.config, config)
+        if folder.n_trials == config.trials and folder.is_finished:
+            say(f"{path} is finished: all of its {config.trials} trials are done")
+            return None
+        with closing(make_env(config)) as env:
+            folder.extend(config)
+            say(f"resuming {path} at trial {folder.n_trials} of {config.trials}")
+            return _finish(folder, env, kept)
+
+
+def check_same_run(path: Path, stored: TrainConfig, config: TrainConfig) -> None:
+    """Refuse to go on with another run, or with one that has more trials.
+
+    Args:
+        path: its folder.
+        stored: what it is.
+        config: what is wanted.
+
+    Raises:
+        RunFolderError: with the first difference.
+    """
+    if config.trials < stored.trials:
+        raise RunFolderError(
+            f"{path} has {stored.trials} trials; --trials can only add to them"
+        )
+    if config != stored.with_trials(config.trials):
+        wanted, had = _flat(asdict(config)), _flat(asdict(stored))
+        name = next(key for key in had if key != "trials" and had[key] != wanted[key])
+        raise RunFolderError(
+            f"{path} is another run: its {name} is {had[name]}, not {wanted[name]}"
+        )
+
+
+def _flat(settings: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
+    """Nested settings by the names that they have on the command line."""
+    flat: dict[str, Any] = {}
+    for name, value in settings.items():
+        if isinstance(value, Mapping):
+            flat |= _flat(value, f"{prefix}{name}.")
+        else:
+            flat[prefix + name] = value
+    return flat
+
+
+def _finish(folder: RunFolder, env: Environment, kept: Kept | None) -> Summary:
+    """Run what is left, draw the learning curve and sum up."""
+    first_trial, began = folder.n_trials, time.perf_counter()
+    keeper = None if kept is None else _keeper(folder, env, kept)
+    with Progress(folder, folder.config.trials) as progress:
+        for finished in train(folder.config, env, folder.learner, first_trial):
+            if keeper is not None:
+                keeper.look_at(finished.trial)
+            folder.commit(finished)
+            progress.advance()
+    folder.write_curve(_curve(folder))
+    return Summary.of(folder, first_trial, time.perf_counter() - began)
+
+
+def _keeper(folder: RunFolder, env: Environment, kept: Kept) -> "EpisodeKeeper":
+    # Where nothing is to be seen, nothing of MuJoCo is loaded.
+    from prospect_mj.experiment.run.episode_keeper import EpisodeKeeper
+
+    return EpisodeKeeper(folder.path, folder.origin, env.watch(), kept)
+
+
+def _curve(folder: RunFolder) -> bytes:
+    config = folder.config
+    return plots.learning_curve(
+        folder.trials["n_actions"].to_numpy(),
+        config.pretrain,
+        config.max_actions,
+        f"Learning which hand to use, seed {config.seed}",
+    )

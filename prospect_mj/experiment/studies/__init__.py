@@ -1,0 +1,1 @@
+"""Studies of the parts: how often, how exactly, how fast."""

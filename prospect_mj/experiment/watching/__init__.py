@@ -1,0 +1,1 @@
+"""Trials of a run once more, and actions live, for people to watch."""
