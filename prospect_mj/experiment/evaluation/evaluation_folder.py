@@ -21,8 +21,7 @@ from prospect_mj.experiment.run.folder_guard import check_vacant
 from prospect_mj.experiment.run.records import action_table, trial_table
 from prospect_mj.experiment.run.run_files import WEIGHTS, RunState
 from prospect_mj.experiment.run.trial_loop import FinishedTrial
-from prospect_mj.experiment.view import evaluation_file
-from prospect_mj.experiment.view import evaluation_state as state
+from prospect_mj.experiment.view import evaluation_file, evaluation_state
 from prospect_mj.experiment.view.evaluation_file import StoredEvaluation
 from prospect_mj.locking import LockedFolder
 from prospect_mj.storage import temporary
@@ -62,7 +61,9 @@ class EvaluationFolder(LockedFolder):
             with folder.closed_if_it_fails():
                 check_free(path)
                 evaluation_file.write(path, evaluation)
-                folder.state = state.begin(path, _marked(learner, evaluation.origin))
+                folder.state = evaluation_state.begin(
+                    path, _marked(learner, evaluation.origin)
+                )
         except OSError as error:
             words = f"{path} can't be written: {error.strerror}"
             raise RunFolderError(words) from error
@@ -96,7 +97,7 @@ class EvaluationFolder(LockedFolder):
         actions = appended(self.state.actions, action_table(finished.actions))
         trials = appended(self.trials, trial_table([finished.trial]))
         self.state = RunState(self.state.learner, actions, trials)
-        state.write_tables(self.path, self.state)
+        evaluation_state.write_tables(self.path, self.state)
 
 
 def is_begun(path: Path) -> bool:
