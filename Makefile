@@ -55,7 +55,8 @@ study: $(DEV) $(GL) ## the slow studies: actions, reaches, supervisor, learning
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m slow --timeout 7200 $(ARGS)
 
 agents: $(DEV) $(AGENTS) $(GL) ## install Stable-Baselines3, and let the examples train
-	AGENTS=true $(BIN)/python -m pytest -m 'slow or not slow' tests/examples $(ARGS)
+	AGENTS=true $(BIN)/python -m pytest -m 'slow or not slow' tests/examples \
+	tests/docs/test_scripts.py $(ARGS)
 
 bench: $(RUNTIME) $(GL) ## simulated seconds per wall second, and where the time goes
 	@$(BIN)/prospect bench $(ARGS)
@@ -81,7 +82,7 @@ constraints: ## pin in constraints.txt what .venv holds now
 
 clean: ## remove the virtual environment and every cache; runs/ stays
 	rm -rf $(VENV) build dist .pytest_cache .ruff_cache .import_linter_cache .hypothesis
-	find prospect_mj scripts tests -type d -name __pycache__ -prune -exec rm -rf {} +
+	find prospect_mj scripts tests examples docs -type d -name __pycache__ -prune -exec rm -rf {} +
 
 $(RUNTIME): pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \

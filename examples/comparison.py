@@ -1,6 +1,10 @@
 """What the other examples are held against: the paper's learner on the same trials."""
 
+import sys
+from typing import TypeVar
+
 import numpy as np
+import tyro
 
 from prospect_mj.agent import LinearQ
 from prospect_mj.envs.pick_place import PickPlaceEnv
@@ -9,6 +13,20 @@ OPTIMUM = 2
 """Actions of a trial: a grasp with the hand on the lid's side, and an insertion."""
 LAST = 100
 """Trials that a mean is taken over."""
+
+_Options = TypeVar("_Options")
+
+
+def read(options: type[_Options]) -> _Options:
+    """The options of the command line, whole numbers all; one line if one can't be."""
+    given = tyro.cli(options)
+    for name, number in vars(given).items():
+        least = 0 if name == "seed" else 1
+        if number < least:
+            words = f"error: --{name} is {number}; expected a number from {least}"
+            print(words, file=sys.stderr)
+            sys.exit(2)
+    return given
 
 
 def paper_learner(trials: int, seed: int) -> list[int]:

@@ -1,4 +1,4 @@
-"""An agent of one's own in twenty lines: a table over six states.
+"""An agent of one's own: a table over six states.
 
 It knows two pictures, the brighter and the darker than what it has seen on average, and
 three states of the hands.
@@ -8,8 +8,7 @@ from dataclasses import dataclass
 
 import gymnasium
 import numpy as np
-import tyro
-from comparison import report
+from comparison import read, report
 
 import prospect_mj  # noqa: F401  (registers the environment)
 
@@ -81,5 +80,5 @@ def train(options: Options) -> list[int]:
 
 
 if __name__ == "__main__":
-    options = tyro.cli(Options)
+    options = read(Options)
     print(report("own agent", train(options), options.seed))

@@ -4,8 +4,7 @@ from dataclasses import dataclass
 
 import gymnasium
 import numpy as np
-import tyro
-from comparison import report
+from comparison import read, report
 
 import prospect_mj  # noqa: F401  (registers the environment)
 
@@ -46,4 +45,4 @@ def main(options: Options) -> None:
 
 
 if __name__ == "__main__":
-    main(tyro.cli(Options))
+    main(read(Options))

@@ -4,8 +4,7 @@ from dataclasses import dataclass
 
 import gymnasium
 import torch
-import tyro
-from comparison import report
+from comparison import read, report
 from stable_baselines3 import DQN
 from stable_baselines3.common.monitor import Monitor
 
@@ -43,5 +42,5 @@ def train(options: Options) -> list[int]:
 
 
 if __name__ == "__main__":
-    options = tyro.cli(Options)
+    options = read(Options)
     print(report("DQN", train(options), options.seed))

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from itertools import accumulate
 
 import torch
-import tyro
-from comparison import report
+from comparison import read, report
 from sb3_contrib import MaskablePPO
 from stable_baselines3.common.env_util import make_vec_env
 
@@ -57,5 +56,5 @@ def train(options: Options) -> list[int]:
 
 
 if __name__ == "__main__":
-    options = tyro.cli(Options)
+    options = read(Options)
     print(report("MaskablePPO", train(options), options.seed))

@@ -1,4 +1,4 @@
-"""Draw the README's picture: a trial with a late correction in four frames."""
+"""Draw the README's picture: a trial with an early correction in four frames."""
 
 import sys
 

@@ -40,7 +40,8 @@ class FeatureSettings:
     """How a histogram and the grasp predicates become a feature vector."""
 
     reading: Reading = "product"
-    """Which reading of the paper's Cartesian product (see the module)."""
+    """Of the paper's Cartesian product: product has v itself beside v h_L and v h_R,
+    one_hot has v only where no hand holds the jar."""
     normalisation: Normalisation = "energy"
     """Scale of the histogram v: |v|^2 = `energy`, largest bin = 1, or sum = 1."""
     energy: float = 2.4

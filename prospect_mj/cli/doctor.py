@@ -16,7 +16,7 @@ from prospect_mj.experiment.doctor.check import Check, Level
 
 @dataclass(frozen=True)
 class DoctorOptions:
-    """Look at packages, cores, OpenGL, speed, recording, folders and display.
+    """Look at packages, cores, OpenGL, speed, recording, folders, display and viewer.
 
     Each line says OK, WARN or FAIL and what to do about it. The exit code is 1 if
     anything fails, else 0.

@@ -39,7 +39,7 @@ def field(argv: Sequence[str] | None = None, prog: str = "draw_field.py") -> int
 
 
 def scene(argv: Sequence[str] | None = None, prog: str = "make_pictures.py") -> int:
-    """Draw the README's picture: a trial with a late correction in four frames."""
+    """Draw the README's picture: a trial with an early correction in four frames."""
     return main(_scene, IMAGES / "scene.png", prog, argv)
 
 

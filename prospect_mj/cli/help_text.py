@@ -2,10 +2,13 @@
 
 from collections.abc import Callable
 from dataclasses import is_dataclass, replace
+from typing import Annotated
 
+from tyro.conf import DisallowNone, arg
 from tyro.constructors import (
     ConstructorRegistry,
     StructConstructorSpec,
+    StructFieldSpec,
     StructTypeInfo,
 )
 
@@ -31,10 +34,17 @@ def joining_lines() -> ConstructorRegistry:
 
 
 def _joined(spec: StructConstructorSpec) -> StructConstructorSpec:
-    fields = [
-        replace(part, helptext=_in_one_line(part.helptext)) for part in spec.fields
-    ]
-    return replace(spec, fields=tuple(fields))
+    return replace(spec, fields=tuple(map(_in_words, spec.fields)))
+
+
+def _in_words(part: StructFieldSpec) -> StructFieldSpec:
+    """An option whose words tell its default, if there is none that can be given."""
+    words = _in_one_line(part.helptext)
+    if part.default not in (None, ()):
+        return replace(part, helptext=words)
+    hint = "" if words is not None and "efault: " in words else "(default: none)"
+    kind = Annotated[part.type, DisallowNone, arg(help_behavior_hint=hint)]
+    return replace(part, type=kind, helptext=words)
 
 
 def _in_one_line(words: str | Callable[[], str | None] | None) -> str | None:

@@ -25,7 +25,7 @@ class PlotOptions:
     The run may still be under way. Nothing is overwritten.
     """
 
-    run: Annotated[Path, tyro.conf.Positional] = Path()
+    run: Annotated[Path, tyro.conf.Positional, tyro.conf.arg(metavar="RUN")]
     """The run's folder."""
     out: Path | None = None
     """New or empty folder for the pictures. Default: plots in the run's folder."""
@@ -48,7 +48,7 @@ def main(argv: Sequence[str] | None = None, prog: str = "plot.py") -> int:
     Returns:
         The exit code; see `command_line.run`.
     """
-    return command_line.main(_plot, PlotOptions(), prog, argv)
+    return command_line.main(_plot, PlotOptions(tyro.MISSING), prog, argv)
 
 
 def _plot(options: PlotOptions) -> None:
@@ -60,6 +60,7 @@ def _plot(options: PlotOptions) -> None:
     from prospect_mj.experiment.view.run_view import RunView
 
     run = RunView.read(options.run)
+    run.check_is_run()
     out = options.run / _FOLDER if options.out is None else options.out
     check_vacant(out, (), "choose another folder with --out")
     pictures = draw(run, options.grasps, _say)

@@ -1,5 +1,6 @@
 """The command line for replaying the trials of a run in Rerun."""
 
+import signal
 import sys
 import tempfile
 from collections.abc import Sequence
@@ -28,19 +29,19 @@ class ReplayOptions:
     takes some seconds, also one of recorded physics.
     """
 
-    run: Annotated[Path, tyro.conf.Positional] = Path()
+    run: Annotated[Path, tyro.conf.Positional, tyro.conf.arg(metavar="RUN")]
     """The run's folder, or the file of one episode, NAME.npz."""
     trial: int | None = None
     """Number of the trial, from 0. Default: the last one that was kept, or the last."""
-    worst: bool = False
+    worst: Annotated[bool, tyro.conf.FlagCreatePairsOff] = False
     """The trial with most actions."""
-    failures: bool = False
+    failures: Annotated[bool, tyro.conf.FlagCreatePairsOff] = False
     """All trials that were kept and not solved; if none was kept, the last ten that
     were not solved."""
     save: Path | None = None
     """File to write in place of opening the viewer, NAME.rrd; with --failures a folder.
     Nothing is overwritten."""
-    serve: bool = False
+    serve: Annotated[bool, tyro.conf.FlagCreatePairsOff] = False
     """Show it in a browser: the address is printed. Ctrl-C ends it."""
     host: str = "127.0.0.1"
     """Address on which --serve listens; 0.0.0.0: other machines may look."""
@@ -68,7 +69,7 @@ def main(argv: Sequence[str] | None = None, prog: str = "replay.py") -> int:
     Returns:
         The exit code; see `command_line.run`.
     """
-    return command_line.main(_replay, ReplayOptions(), prog, argv)
+    return command_line.main(_replay, ReplayOptions(tyro.MISSING), prog, argv)
 
 
 def _replay(options: ReplayOptions) -> None:
@@ -127,10 +128,14 @@ def _show(options: ReplayOptions, files: Sequence[Path]) -> None:
     if not options.serve:
         viewer.show(files)
         return
+    # Who is asked to end would else leave the server behind.
+    usual = signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         viewer.serve(files, options.host, options.port, _tell_address)
     except KeyboardInterrupt:
         _say("stopped")
+    finally:
+        signal.signal(signal.SIGTERM, usual)
 
 
 def _tell_address(page: str) -> None:

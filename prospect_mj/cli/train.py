@@ -42,7 +42,7 @@ class TrainOptions:
     jobs: int = 2
     """Processes for --seeds."""
     record: str | None = None
-    """Which trials are kept for replay.py, in episodes/ of the run: all, failures, or
+    """Which trials are kept for replay, in episodes/ of the run: all, failures, or
     every=N. Results are the same with it and without."""
     output: Annotated[Output, tyro.conf.arg(name="")] = field(default_factory=Output)
     """Who reads the result."""
@@ -77,12 +77,8 @@ def main(
 def _train(argv: Sequence[str], prog: str, make_env: MakeEnvironment) -> None:
     options = _parse(argv, prog, TrainOptions())
     kept = None if options.record is None else Kept.parse(options.record)
-    if kept is not None and options.config.physics != "live":
-        raise InvalidValue(
-            "--record",
-            options.record,
-            "none on recorded physics: replay simulates its trials again",
-        )
+    if options.resume is None:
+        _check_keepable(options.record, options.config)
     if options.seeds is not None:
         _check_alone(options, argv)
         _train_seeds(options, options.seeds, make_env, kept)
@@ -97,11 +93,18 @@ def _train(argv: Sequence[str], prog: str, make_env: MakeEnvironment) -> None:
         # already can't be given.
         stored = replace(options, config=read_config(options.resume), output=Output())
         config = _parse(argv, prog, stored).config
+        _check_keepable(options.record, config)
         summary = session.resume(options.resume, config, make_env, say, kept)
         if summary is None and options.output.json:
             summary = _finished(options.resume)
     if summary is not None:
         options.output.result(str(summary), summary)
+
+
+def _check_keepable(record: str | None, config: TrainConfig) -> None:
+    if record is not None and config.physics != "live":
+        expected = "none on recorded physics: replay simulates its trials again"
+        raise InvalidValue("--record", record, expected)
 
 
 def _finished(path: Path) -> Summary:

@@ -17,13 +17,13 @@ from prospect_mj.sim import gl
 class VideoOptions:
     """Film a trial of a run or of an evaluation, from its states, at real time."""
 
-    run: Annotated[Path, tyro.conf.Positional] = Path()
+    run: Annotated[Path, tyro.conf.Positional, tyro.conf.arg(metavar="RUN")]
     """The run's folder, or the file of one episode, NAME.npz."""
-    out: Annotated[Path, tyro.conf.Positional] = Path("trial.mp4")
+    out: Annotated[Path, tyro.conf.Positional, tyro.conf.arg(metavar="OUT.mp4")]
     """MP4 file to write; it must not exist."""
     trial: int | None = None
     """Number of the trial, from 0. Default: the last one that was kept, or the last."""
-    worst: bool = False
+    worst: Annotated[bool, tyro.conf.FlagCreatePairsOff] = False
     """The trial with most actions."""
     width: int = 854
     """Of the picture [pixels]."""
@@ -31,10 +31,6 @@ class VideoOptions:
     """Of the picture [pixels]."""
     captions: bool = True
     """Write into the picture which action runs."""
-
-    def __post_init__(self) -> None:
-        """Refuse a file that can't be made."""
-        check_new_video("out", self.out)
 
 
 def check_new_video(what: str, path: Path) -> None:
@@ -56,10 +52,12 @@ def main(argv: Sequence[str] | None = None, prog: str = "video.py") -> int:
     Returns:
         The exit code; see `command_line.run`.
     """
-    return command_line.main(_film, VideoOptions(), prog, argv)
+    unset = VideoOptions(tyro.MISSING, tyro.MISSING)
+    return command_line.main(_film, unset, prog, argv)
 
 
 def _film(options: VideoOptions) -> None:
+    check_new_video("out", options.out)
     gl.require_gl()
     # MuJoCo is not loaded before it is known that it can render.
     from prospect_mj.experiment.watching import replayed

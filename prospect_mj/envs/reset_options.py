@@ -24,9 +24,9 @@ class ResetOptions(NamedTuple):
 
         Raises:
             InvalidChoice: on an unknown option or orientation.
-            InvalidValue: on a trial that is no number from 0.
+            InvalidValue: on a trial that is no number from 0, or no options at all.
         """
-        given = {} if options is None else dict(options)
+        given = named_options(options)
         for name in given:
             check_choice("reset option", name, cls._fields)
         if "orientation" in given:
@@ -34,6 +34,17 @@ class ResetOptions(NamedTuple):
         if "trial" in given:
             given["trial"] = _checked_trial(given["trial"])
         return cls(**given)
+
+
+def named_options(options: object) -> dict[str, Any]:
+    """What was given by name; nothing for None.
+
+    Raises:
+        InvalidValue: if it is something else.
+    """
+    if not isinstance(options, Mapping | None):
+        raise InvalidValue("options", options, "a dictionary, or None")
+    return dict(options or {})
 
 
 def _checked_trial(number: object) -> int:

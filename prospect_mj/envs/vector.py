@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from prospect_mj.actions.action import Action
 from prospect_mj.checks import check_integer
 from prospect_mj.envs.pick_place import PickPlaceEnv
-from prospect_mj.envs.reset_options import ResetOptions
+from prospect_mj.envs.reset_options import ResetOptions, named_options
 from prospect_mj.envs.screens import NOTHING
 from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.envs.trials import REWARD
@@ -141,7 +141,7 @@ class RecordedVectorEnv(VectorEnv[Floats, NDArray[np.integer], NDArray]):
             InvalidChoice: on an unknown option or orientation.
             InvalidValue: on seeds, a mask or a trial that can't be.
         """
-        given = dict(options or {})
+        given = named_options(options)
         mask = _checked_mask(given.pop(RESET_MASK, None), self.num_envs)
         told = ResetOptions.read(given)
         seeds = _spread(seed, self.num_envs)
@@ -207,11 +207,17 @@ def _spread(seed: Seeds, n: int) -> Sequence[int | None]:
     """A seed for each of n environments."""
     if seed is None:
         return [None] * n
-    if isinstance(seed, int | np.integer):
+    if _is_seed(seed):
         return [int(seed) + number for number in range(n)]
-    if len(seed) != n:
-        raise InvalidValue("seed", seed, f"a number, or {n} of them")
-    return seed
+    several = isinstance(seed, Sequence | np.ndarray) and len(seed) == n
+    if not several or not all(one is None or _is_seed(one) for one in seed):
+        raise InvalidValue("seed", seed, f"a whole number from 0, or {n} of them")
+    return [None if one is None else int(one) for one in seed]
+
+
+def _is_seed(seed: object) -> bool:
+    whole = isinstance(seed, int | np.integer) and not isinstance(seed, bool)
+    return whole and seed >= 0
 
 
 def _checked_mask(mask: object, n: int) -> Flags:

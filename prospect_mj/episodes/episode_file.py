@@ -53,7 +53,8 @@ def read(path: Path, origin: str | None = None) -> Episode:
     """
     try:
         with np.load(path, allow_pickle=False) as stored:
-            told = json.loads(bytes(stored["description"]))
+            there = "description" in stored
+            told = json.loads(bytes(stored["description"])) if there else None
             _check(path, told, origin)
             return _episode(told, stored)
     except FileNotFoundError as error:

@@ -26,7 +26,7 @@ class RecordingConfig:
     gross_motion: GrossMotion = "harmonic"
     """How large movements go; cartesian is an ablation."""
     grid_cells: int = 16
-    """Cells of the harmonic ones' coarsest grid for each of its four joints."""
+    """Of harmonic movements: cells of the coarsest grid for each of its four joints."""
 
     def __post_init__(self) -> None:
         """Refuse numbers and choices that make no recording."""

@@ -37,58 +37,52 @@ def photograph(file: Path, png: Path, seconds: float = 0.0) -> None:
         env=quiet(),
     ) as process:
         try:
-            client = _connected(process, port)
-            _insist(lambda: client.open(str(file.resolve())))
-            _insist(
-                lambda: client.set_time(TIMELINE, duration=seconds, play_state="paused")
-            )
-            _save_at_rest(client, png)
+            client = ViewerClient(f"rerun+http://{HOST}:{port}/proxy")
+            for ask in (
+                client.get_state,
+                lambda: client.open(str(file.resolve())),
+                lambda: client.set_time(
+                    TIMELINE, duration=seconds, play_state="paused"
+                ),
+            ):
+                _insist(process, ask)
+            _save_at_rest(process, client, png)
         except ConnectionError as error:
             raise ChildProcessError(_why_gone(process, error)) from error
         finally:
             process.kill()
 
 
-def _connected(process: "subprocess.Popen[str]", port: int) -> ViewerClient:
-    end = time.monotonic() + _PATIENCE
-    client = ViewerClient(f"rerun+http://{HOST}:{port}/proxy")
-    while True:
-        try:
-            client.get_state()
-            return client
-        except ConnectionError:
-            if process.poll() is not None or time.monotonic() > end:
-                raise
-            time.sleep(_POLL)
-
-
 def _why_gone(process: "subprocess.Popen[str]", error: ConnectionError) -> str:
     """Why a viewer answers no more: it dies of what it says last."""
     try:
-        _, said = process.communicate(timeout=_PATIENCE)
+        _, said = process.communicate(timeout=_REST)
     except subprocess.TimeoutExpired:
         return f"Rerun's viewer does not answer: {error}"
     return failure(process.returncode, said)
 
 
-def _insist(ask: Callable[[], object]) -> None:
-    """Ask again while a busy machine keeps the viewer from answering in time."""
+def _insist(process: "subprocess.Popen[str]", ask: Callable[[], object]) -> None:
+    """Ask again while a viewer that lives does not answer, as on a busy machine."""
     end = time.monotonic() + _PATIENCE
     while True:
         try:
             ask()
             return
-        except TimeoutError:
-            if time.monotonic() > end:
+        except (ConnectionError, TimeoutError):
+            if process.poll() is not None or time.monotonic() > end:
                 raise
+            time.sleep(_POLL)
 
 
-def _save_at_rest(client: ViewerClient, png: Path) -> None:
+def _save_at_rest(
+    process: "subprocess.Popen[str]", client: ViewerClient, png: Path
+) -> None:
     """Views come in one by one: until two pictures in a row are the same."""
     end, before = time.monotonic() + _PATIENCE, None
     while time.monotonic() < end:
         time.sleep(_REST)
-        _insist(lambda: client.save_screenshot(str(png.resolve())))
+        _insist(process, lambda: client.save_screenshot(str(png.resolve())))
         now = png.read_bytes()
         if now == before:
             return

@@ -4,6 +4,7 @@ The program itself is run: the Python one in front of it keeps its exit code to 
 """
 
 import importlib.util
+import ipaddress
 import os
 import re
 import socket
@@ -67,7 +68,7 @@ def serve(
         ready: told the page's address when it is there.
 
     Raises:
-        InvalidValue: if one of the ports is taken.
+        InvalidValue: if the address is none, or one of the ports is taken.
         ChildProcessError: if the server fails.
     """
     check_port_free(host, port)
@@ -95,9 +96,14 @@ def free_port() -> int:
 def check_port_free(host: str, port: int) -> None:
     """Refuse a port that is taken, or whose successor is.
 
+    Args:
+        host: address on which it is to be free.
+        port: its number.
+
     Raises:
-        InvalidValue: if one is.
+        InvalidValue: if one of them is taken, or the address is no IPv4 one.
     """
+    _check_address(host)
     check_integer("--port", port, 1, 2**16 - 2)
     for number in (port, port + 1):
         try:
@@ -106,6 +112,15 @@ def check_port_free(host: str, port: int) -> None:
         except OSError as error:
             free = f"a free one on {host}, and the next one free too"
             raise InvalidValue("--port", port, f"{free} ({error.strerror})") from error
+
+
+def _check_address(host: str) -> None:
+    """Rerun's viewer knows no names of hosts."""
+    try:
+        ipaddress.IPv4Address(host)
+    except ValueError as error:
+        expected = "an IPv4 address, such as 127.0.0.1 or 0.0.0.0"
+        raise InvalidValue("--host", host, expected) from error
 
 
 _CAPTURED = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}

@@ -4,8 +4,9 @@ import inspect
 from collections.abc import Callable, Generator
 from typing import TypeAlias
 
-from prospect_mj.actions.action import Action
+from prospect_mj.actions.action import Action, ActionResult
 from prospect_mj.actions.plan import Plan, Robot
+from prospect_mj.control.controller import Controller
 from prospect_mj.errors import InvalidChoice, InvalidValue
 from prospect_mj.robot.names import Side, checked_side
 
@@ -28,7 +29,7 @@ def action_of(skill: Skill) -> Action | None:
         return skill
     if callable(skill):
         return None
-    if skill not in _ACTIONS:
+    if not isinstance(skill, str) or skill not in _ACTIONS:
         raise InvalidChoice("skill", skill, [*_ACTIONS, "a function of the robot"])
     return _ACTIONS[skill]
 
@@ -61,4 +62,24 @@ def plan_of(writer: Writer, robot: Robot, side: Side | None) -> Plan:
     plan = writer(*given)
     if not isinstance(plan, Generator):
         raise InvalidValue("skill", plan, "a generator that yields controllers")
-    return plan
+    return _checked(plan)
+
+
+def _checked(plan: Plan) -> Plan:
+    """The same plan; it is told of what no plan may yield or return.
+
+    Raises:
+        InvalidValue: while it runs, if it does so.
+    """
+    while True:
+        try:
+            together = next(plan)
+        except StopIteration as end:
+            if not isinstance(end.value, ActionResult):
+                expected = "an ActionResult, which a plan returns"
+                raise InvalidValue("result", end.value, expected) from None
+            return end.value
+        controllers = together if isinstance(together, tuple) else (None,)
+        if not all(isinstance(one, Controller) for one in controllers):
+            raise InvalidValue("yielded", together, "a tuple of controllers")
+        yield together

@@ -82,12 +82,13 @@ SAID = {
     "controllers/insertion.md": [
         f"mean over {INSERT.tare_time} s",
         f"more than {INSERT.contact_force:.0f} N",
-        f"above {INSERT.waiting_force:.0f} N",
+        f"up with more than {INSERT.waiting_force:.0f} N",
         f"v is {INSERT.free_speed} m/s above the rim, {INSERT.rim_speed} m/s",
         f"{INSERT.inner_speed:.2f} m/s inside",
         f"{1e3 * INSERT.compliance / CONTROL_PERIOD:.0f} mm/s for each newton, up to "
         f"{1e3 * INSERT.yield_limit:.0f} mm",
-        f"wide: {1e3 * PROPS.well.chamfer:.0f} mm",
+        f"plates are {1e3 * PROPS.well.chamfer:.0f} mm wide, which at 45° is "
+        f"{1e3 * PROPS.well.chamfer * 0.5**0.5:.1f} mm sideways",
         f"body is {1e3 * (PROPS.well.half_width - PROPS.jar.body_radius):.0f} mm",
         f"lid is {1e3 * (PROPS.jar.lid_radius - PROPS.well.half_width):.0f} mm wider",
         f"More than {INSERT.entered} of",

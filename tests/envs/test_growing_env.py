@@ -1,12 +1,16 @@
 """The environment on a recording that grows with what the agent tries."""
 
+from functools import partial
+
 import gymnasium
 import numpy as np
 import pytest
+from ideal_grower import IdealGrower
 
 import prospect_mj  # noqa: F401  (registers the environment)
 from prospect_mj.errors import FolderInUse, InvalidValue, RecordingError
 from prospect_mj.recording.grower import Grower
+from prospect_mj.recording.live_physics import LivePhysics
 from prospect_mj.recording.recording import Recording
 
 pytestmark = pytest.mark.gl
@@ -125,7 +129,9 @@ def test_settings_that_can_not_be_simulated_leave_nothing(tmp_path):
     assert not list(tmp_path.iterdir())
 
 
-def test_a_trial_may_have_more_actions_than_are_shipped(tmp_path):
+def test_a_trial_may_have_more_actions_than_are_shipped(tmp_path, monkeypatch):
+    physics = partial(LivePhysics, make=IdealGrower)
+    monkeypatch.setattr("prospect_mj.recording.lazy_task.LivePhysics", physics)
     env = make(tmp_path, max_actions=12)
     env.reset(seed=1, options={"orientation": "left"})
     ends = [env.step(action)[3] for action in (1, *[5] * 11)]

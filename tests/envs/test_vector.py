@@ -147,6 +147,8 @@ def test_seeds_spread_and_generators_go_on():
     counted, _ = envs.reset(seed=10)
     listed, _ = envs.reset(seed=[10, 11, 12, 13])
     assert np.array_equal(counted, listed)
+    stacked, _ = envs.reset(seed=np.arange(10, 14))
+    assert np.array_equal(counted, stacked)
     assert envs.np_random_seed == (10, 11, 12, 13)
     on, _ = envs.reset()
     assert not np.array_equal(on, listed)
@@ -216,14 +218,22 @@ def test_bad_actions_are_refused_and_move_nothing(actions, error, words):
     "reset",
     [
         {"seed": [1, 2]},
+        {"seed": [1, -2, 3]},
+        {"seed": "123"},
+        {"seed": 1.5},
+        {"seed": True},
+        {"options": 5},
         {"options": {"reset_mask": [True]}},
         {"options": {"reset_mask": np.zeros(3, bool)}},
         {"options": {"lid": "left"}},
     ],
 )
 def test_bad_resets_are_refused(reset):
+    envs = RecordedVectorEnv(3)
+    envs.reset(seed=0)
     with pytest.raises((InvalidValue, InvalidChoice)):
-        RecordedVectorEnv(3).reset(**reset)
+        envs.reset(**reset)
+    assert envs.np_random_seed == (0, 1, 2)
 
 
 def test_a_step_before_the_reset_is_an_error():

@@ -70,6 +70,26 @@ def test_an_example_runs_as_it_is(name):
     assert reported(run(name, "--trials=20"))[0] == 20
 
 
+@pytest.mark.parametrize(
+    ("option", "words"),
+    [
+        ("--trials=0", "--trials is 0; expected a number from 1"),
+        ("--seed=-1", "from 0"),
+    ],
+)
+def test_a_number_that_cant_be_is_refused_in_one_line(
+    option, words, monkeypatch, capsys
+):
+    monkeypatch.setattr(sys, "argv", ["own_agent.py", option])
+    with pytest.raises(SystemExit) as end:
+        comparison.read(own_agent.Options)
+    assert end.value.code == 2
+    told = capsys.readouterr().err
+    assert told.startswith("error: ")
+    assert told.endswith(f"{words}\n")
+    assert told.count("\n") == 1
+
+
 @pytest.mark.slow
 @pytest.mark.usefixtures("agents")
 @pytest.mark.parametrize("name", ["train_dqn_sb3", "train_maskable_ppo"])

@@ -112,7 +112,9 @@ def test_every_option_has_words_and_a_default(name, capsys):
     for option, words in options.items():
         told, *default = words.split("(default:")
         assert len(told.split()) >= 2, (option, words)
-        assert default or option == "--help", (option, words)
+        told_at_once = "efault: " in told or option == "--help"
+        assert bool(default) != told_at_once, (option, words)
+        assert "None" not in words, (option, words)
 
 
 def test_options_are_read_from_a_help_with_its_gaps():

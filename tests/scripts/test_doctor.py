@@ -11,7 +11,13 @@ import pytest
 
 from prospect_mj import display, paths
 from prospect_mj.cli import doctor
-from prospect_mj.experiment.doctor import examination, machine, packages, rendering
+from prospect_mj.experiment.doctor import (
+    examination,
+    machine,
+    packages,
+    rendering,
+    vulkan,
+)
 from prospect_mj.experiment.doctor import recorded as recordings
 from prospect_mj.experiment.doctor.check import Check, Level, guarded
 from prospect_mj.planning import kernel_cache
@@ -181,10 +187,28 @@ def test_without_a_display_it_says_what_to_do_instead(monkeypatch):
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     monkeypatch.setattr(display.sys, "platform", "linux")
+    monkeypatch.setattr(rendering, "_vulkan", list)
     shown, viewer = rendering.look_at_display()
     assert shown.level is Level.WARN
     assert "--video" in shown.remedy
     assert viewer.level is Level.OK
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="others bring a driver along")
+@pytest.mark.parametrize("missing", ["driver", "library"])
+def test_without_vulkan_it_says_what_to_install(missing, monkeypatch, capsys):
+    if missing == "driver":
+        for name in ("VK_DRIVER_FILES", "VK_ICD_FILENAMES"):
+            monkeypatch.setenv(name, os.devnull)
+    else:
+        monkeypatch.setattr(vulkan, "_LOADER", "libnone.so")
+        code = vulkan.main()
+        done = subprocess.CompletedProcess([], code, "", capsys.readouterr().err)
+        monkeypatch.setattr(rendering, "_python", lambda *_: done)
+    (found,) = rendering._vulkan()
+    assert found.level is Level.WARN
+    assert found.found.startswith(("no graphics driver", "libnone.so: "))
+    assert "mesa-vulkan-drivers" in found.remedy
 
 
 def test_a_look_that_breaks_is_a_failure_and_no_more():

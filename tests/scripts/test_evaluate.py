@@ -63,7 +63,7 @@ def main(words, make_env=Watched):
 
 
 BAD = {
-    "": "PATH",
+    "": "RUN",
     "nowhere": "nowhere is not a run folder",
     "full": "full is not a run folder",
     "file": "file is not a run folder",
@@ -81,11 +81,14 @@ BAD = {
     "run --out file/below": "file/below can't be made",
     "run --record some": "--record is 'some'; expected all, failures or every=N",
     "run --record every=0": "every=N",
+    f"run --record every={'9' * 5000}": "expected all, failures or every=N",
     "run --physics recorded --record all": "none on recorded physics",
 }
 
 
-@pytest.mark.parametrize(("words", "named"), BAD.items(), ids=BAD.keys())
+@pytest.mark.parametrize(
+    ("words", "named"), BAD.items(), ids=[words[:40] for words in BAD]
+)
 def test_bad_input_is_one_line_and_changes_nothing(words, named, run, capsys):
     before = tree(run.parent)
     assert main(words) == 2

@@ -2,14 +2,17 @@
 
 import os
 import shutil
+import signal
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from prospect_mj.cli import replay, video
 from prospect_mj.experiment.run import session
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.kept_episodes import Kept, path_of
+from prospect_mj.replay import viewer
 
 pytestmark = pytest.mark.gl
 
@@ -38,6 +41,7 @@ def here(trained, tmp_path, monkeypatch):
     Path("there.mp4").write_text("mine")
     Path("empty").mkdir()
     Path("notes.npz").write_text("no archive")
+    np.savez("other.npz", a=1)
     return tmp_path
 
 
@@ -56,7 +60,9 @@ BAD = {
     "run --save none/a.rrd": "a folder that exists",
     "run --save a.rrd --serve": "none beside --save",
     "run --save a.rrd --port 8000": "none without --serve",
+    "": "RUN",
     "run --serve --port 0": "--port",
+    "run --serve --host localhost": "an IPv4 address",
     "run --save a.rrd --trial 2": "0 to 1, as far as the run has come",
     "run --save a.rrd --trial -1": "0 to 1, as far as the run has come",
     "run --save a.rrd --trial one": "one",
@@ -65,6 +71,8 @@ BAD = {
     "damaged --save a.rrd": "can't be read as an episode",
     "cut --save a.rrd": "actions.parquet can't be read",
     "notes.npz --save a.rrd": "notes.npz can't be read as an episode",
+    "other.npz --save a.rrd": "other.npz is not an episode",
+    "there.rrd --save a.rrd": "rerun there.rrd opens what was saved",
     "gone.npz --save a.rrd": "there is no episode gone.npz",
     "run/episodes/trial-000000.npz --trial 0 --save a.rrd": "one episode",
     f"run --save {'x' * 300}.rrd": "can be made",
@@ -81,6 +89,8 @@ def test_what_cant_be_replayed_is_one_line(arguments, here, capsys):
 
 
 BAD_VIDEO = {
+    "": "RUN",
+    "run": "OUT.mp4",
     "run there.mp4": "a file that does not exist",
     "run a.avi": "a name that ends in .mp4",
     "run none/a.mp4": "a folder that exists",
@@ -131,6 +141,15 @@ def test_a_viewer_that_is_missing_is_named_before_anything_is_done(
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     assert replay.main(["run", "--serve"]) == 2
     assert "pip install rerun-sdk" in said(capsys)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_serving_ends_with_whatever_ends_a_process(number, here, capsys, monkeypatch):
+    monkeypatch.setattr(viewer, "serve", lambda *_: signal.raise_signal(number))
+    usual = signal.getsignal(signal.SIGTERM)
+    assert replay.main(["run", "--serve", "--port", str(viewer.free_port())]) == 0
+    assert said(capsys) == "stopped"
+    assert signal.getsignal(signal.SIGTERM) is usual
 
 
 @pytest.fixture

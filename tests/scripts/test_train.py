@@ -189,6 +189,17 @@ def test_resume_of_a_finished_run_says_so(existing, capsys):
     assert tree(existing) == before
 
 
+def test_a_run_on_recorded_physics_keeps_no_episodes(existing, capsys):
+    begin = ["--physics", "recorded", "--trials", "2", "--out", "recorded"]
+    assert train.main(begin, make_env=IdealEnv) == 0
+    before = tree(existing)
+    capsys.readouterr()
+    more = ["--resume", "recorded", "--trials", "4", "--record", "all"]
+    assert train.main(more, make_env=IdealEnv) == 2
+    assert "none on recorded physics" in capsys.readouterr().err
+    assert tree(existing) == before
+
+
 def test_interrupted_run_can_be_resumed(tmp_path, capsys):
     class Interrupted(IdealEnv):
         left = 30
@@ -287,7 +298,3 @@ def test_script_helps(tmp_path):
     assert done.returncode == 0
     for option in ("--trials", "--pretrain", "--dominant", "--resume", "--supervisor"):
         assert option in done.stdout
-
-
-def test_script_is_short():
-    assert len((ROOT / "scripts" / "train.py").read_text().splitlines()) <= 20

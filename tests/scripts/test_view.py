@@ -10,7 +10,7 @@ from prospect_mj.experiment.watching import live_view
 from prospect_mj.experiment.watching.shown import Shown
 from prospect_mj.task.pick_place import PickPlaceTask
 
-LATE = (Action.GRASP_RIGHT, Action.SWAP_RIGHT_TO_LEFT, Action.INSERT_LEFT)
+EARLY = (Action.GRASP_RIGHT, Action.SWAP_RIGHT_TO_LEFT, Action.INSERT_LEFT)
 
 
 @pytest.fixture(autouse=True)
@@ -29,8 +29,8 @@ def elsewhere(tmp_path, monkeypatch):
     ],
 )
 def test_actions_stand_with_commas_or_blanks_in_both_forms(words):
-    assert view.actions_named(words) == LATE
-    assert view.ViewOptions(tuple(words)).shown().actions == LATE
+    assert view.actions_named(words) == EARLY
+    assert view.ViewOptions(tuple(words)).shown().actions == EARLY
 
 
 def test_every_action_has_a_name_to_be_played_by():
@@ -86,7 +86,7 @@ def test_without_a_display_it_names_the_video(monkeypatch, capsys):
 
 def test_settings_are_checked_where_they_are_made():
     with pytest.raises(InvalidValue, match="speed"):
-        Shown("left", LATE, speed=0.0)
+        Shown("left", EARLY, speed=0.0)
     with pytest.raises(InvalidValue, match="one or more"):
         Shown("left", ())
 
@@ -160,7 +160,7 @@ def test_it_plays_at_its_speed_and_stays_until_it_is_closed(window):
 @pytest.mark.gl
 def test_closing_early_ends_it_in_the_middle_of_an_action(window):
     paper = window(closed_after=20)
-    assert list(live_view.in_window(Shown("left", LATE))) == []
+    assert list(live_view.in_window(Shown("left", EARLY))) == []
     assert len(paper.times) == 20
     assert paper.captions == ["1. grasp-right"]
     assert paper.closed

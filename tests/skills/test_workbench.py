@@ -149,15 +149,33 @@ def test_a_plan_of_ones_own_is_a_skill_with_a_name(bench, tmp_path):
     ]
 
 
+def no_tuple(robot):
+    yield robot.assume("left", robot.arms["left"].joints())
+    return ActionResult.SUCCESS
+
+
+def no_controllers(robot):
+    yield ("home",)
+    return ActionResult.SUCCESS
+
+
+def no_result(robot):
+    yield ()
+
+
 @pytest.mark.parametrize(
     ("skill", "side", "kind", "words"),
     [
         ("grasp-up", None, InvalidChoice, "skill is 'grasp-up'; valid: grasp-left"),
+        (["grasp-left"], None, InvalidChoice, "valid: grasp-left"),
         ("grasp-left", "left", InvalidValue, "side is 'left'; expected none"),
         (stay, "left", InvalidValue, "expected what stay takes"),
         (stay_by, None, InvalidValue, "expected what stay-by takes"),
         (stay_by, "up", InvalidChoice, "side is 'up'; valid: left, right"),
         (lambda robot: None, None, InvalidValue, "expected a generator"),
+        (no_tuple, None, InvalidValue, "expected a tuple of controllers"),
+        (no_controllers, None, InvalidValue, "yielded is .'home',.; expected a tuple"),
+        (no_result, None, InvalidValue, "result is None; expected an ActionResult"),
     ],
 )
 def test_what_is_no_skill_is_refused_and_moves_nothing(bench, skill, side, kind, words):

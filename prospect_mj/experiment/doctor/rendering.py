@@ -9,6 +9,7 @@ from typing import Any
 from prospect_mj.display import why_no_window
 from prospect_mj.experiment.doctor.check import Check, Level
 from prospect_mj.experiment.doctor.packages import requirement_of
+from prospect_mj.replay.viewer import VULKAN_PACKAGE
 from prospect_mj.sim import gl
 
 SLOW = 5.0
@@ -16,6 +17,7 @@ SLOW = 5.0
 _PATIENCE = 300.0
 """For code that is compiled for the first time, on a slow machine [s]."""
 _PROBE = "prospect_mj.experiment.doctor.probe"
+_VULKAN = "prospect_mj.experiment.doctor.vulkan"
 
 
 def look_at_rendering() -> list[Check]:
@@ -40,8 +42,8 @@ def look_at_rendering() -> list[Check]:
 
 
 def look_at_display() -> list[Check]:
-    """A window for `prospect view`, and Rerun's viewer."""
-    return [_display(), _rerun()]
+    """A window for `prospect view`, and Rerun's viewer with what it draws by."""
+    return [_display(), _rerun(), *_vulkan()]
 
 
 def speed(told: dict[str, Any]) -> list[Check]:
@@ -81,6 +83,19 @@ def _rerun() -> Check:
     wanted = requirement_of("rerun-sdk")
     remedy = f"pip install --force-reinstall '{wanted.name}{wanted.specifier}'"
     return Check("Rerun's viewer", Level.WARN, _last_line(done), remedy)
+
+
+def _vulkan() -> list[Check]:
+    """Drivers, which other systems than Linux bring along."""
+    if sys.platform != "linux":
+        return []
+    done = _python("-m", _VULKAN)
+    n_devices = int(done.stdout) if done.returncode == 0 else 0
+    if n_devices:
+        return [Check("Vulkan", Level.OK, f"devices to draw on: {n_devices}")]
+    reason = "no graphics driver" if done.returncode == 0 else _last_line(done)
+    remedy = f"apt-get install {VULKAN_PACKAGE}; replay with --save or --serve"
+    return [Check("Vulkan", Level.WARN, reason, remedy)]
 
 
 def _python(*arguments: str) -> subprocess.CompletedProcess[str]:

@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from prospect_mj.agent import LinearQ
-from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.evaluation import places
 from prospect_mj.experiment.evaluation.evaluation_folder import (
     EvaluationFolder,
@@ -61,8 +60,7 @@ def evaluate(
     Raises:
         RunFolderError: if `run` is no run, or `out` can't be had; nothing was written.
     """
-    if run.evaluation is not None:
-        raise RunFolderError(f"{run.path} is an evaluation, not a run")
+    run.check_is_run()
     config = settings.config(run.config)
     learned = Learned(run.origin, run.n_trials)
     wanted = evaluation_file.present(config, settings, learned)

@@ -17,8 +17,10 @@ from prospect_mj.replay.screenshot import photograph
 
 TRIALS = 600
 """Of the run from which the trial is."""
-SIZE = (1600, 900)
+SIZE = (1600, 870)
 """Width and height [pixels]."""
+_BAR = 36
+"""Height of the viewer's bar, which tells of the machine; it is cut off [pixels]."""
 _BOTH_HOLD = 0.2
 """So long before the second hand has finished its grasp [s]."""
 
@@ -37,7 +39,7 @@ def replay_picture() -> bytes:
         one = _last_late_correction(run)
         export(one.episode, one.story, file)
         photograph(file, png, _handed_over_at(one.episode))
-        shown = cv2.imread(str(png))
+        shown = cv2.imread(str(png))[_BAR:]
     smaller = cv2.resize(shown, SIZE, interpolation=cv2.INTER_AREA)
     strongest = [cv2.IMWRITE_PNG_COMPRESSION, 9]
     _, content = cv2.imencode(".png", np.ascontiguousarray(smaller), strongest)

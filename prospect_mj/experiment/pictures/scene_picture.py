@@ -1,4 +1,4 @@
-"""The README's picture: a trial with a late correction in four frames."""
+"""The README's picture: a trial with an early correction in four frames."""
 
 import cv2
 import numpy as np

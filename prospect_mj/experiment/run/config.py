@@ -53,7 +53,7 @@ class TrainConfig:
     """How large movements go: harmonic: along streamlines in configuration space, clear
     of everything; cartesian: straight, as an ablation."""
     grid_cells: int = 16
-    """Cells of the harmonic ones' coarsest grid for each of its four joints."""
+    """Of harmonic movements: cells of the coarsest grid for each of its four joints."""
     max_actions: int = 10
     """A trial is cut off after this many actions."""
     bootstrap_at_truncation: bool = True

@@ -11,6 +11,8 @@ from prospect_mj.experiment.run.records import TrialRecord
 FOLDER = "episodes"
 _STEM, _SUFFIX = "trial-", ".npz"
 _WORDS = "all, failures or every=N"
+_LONG = 20
+"""More digits than any number has that could be meant."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +35,7 @@ class Kept:
                 return cls(1)
             case "failures", "":
                 return cls(None)
-            case "every", digits if digits.isdecimal():
+            case "every", digits if digits.isdecimal() and len(digits) < _LONG:
                 check_integer("N of every=N", int(digits), 1, 1_000_000)
                 return cls(int(digits))
         raise InvalidValue("--record", words, _WORDS)

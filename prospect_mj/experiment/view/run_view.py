@@ -71,6 +71,15 @@ class RunView:
         """Finished trials."""
         return self.trials.num_rows
 
+    def check_is_run(self) -> None:
+        """Refuse an evaluation, in which nothing was learned.
+
+        Raises:
+            RunFolderError: if it is one.
+        """
+        if self.evaluation is not None:
+            raise RunFolderError(f"{self.path} is an evaluation, not a run")
+
     def actions_of(self, trial: int) -> pa.Table:
         """The actions of one trial, in order."""
         return self.actions.filter(pc.equal(self.actions["trial"], trial))

@@ -22,6 +22,7 @@ Say = Callable[[str], None]
 
 MOST_SIMULATED = 10
 """Failures that are simulated again, if none was kept."""
+_PRODUCT = ".rrd"
 _WORDS = {
     Strategy.OPTIMAL: "optimal",
     Strategy.EARLY: "early correction",
@@ -107,6 +108,9 @@ def of(path: Path, choice: Choice, say: Say) -> tuple[list[str], Iterator[Replay
         RunFolderError, EpisodeError, InvalidValue, RecordingError: what can't be
             replayed, and why.
     """
+    if path.suffix == _PRODUCT and path.is_file():
+        expected = f"a run's folder or an episode; rerun {path} opens what was saved"
+        raise InvalidValue("RUN", str(path), expected)
     if path.suffix == episode_file.SUFFIX and not os.path.isdir(path):
         if choice.given:
             expected = "none beside the file of one episode"

@@ -4,6 +4,7 @@ import shlex
 
 import numpy as np
 import pytest
+import tyro
 from ideal_env import IdealEnv
 from left_handed import left_handed
 
@@ -49,7 +50,8 @@ def test_failures_are_listed_with_the_command_that_replays_each(report, view):
     for one in report.failures:
         prospect, command, *options = shlex.split(one.replay)
         assert (prospect, command) == ("prospect", "replay")
-        told = command_line.parse(ReplayOptions, options, ReplayOptions(), "replay")
+        unset = ReplayOptions(tyro.MISSING)
+        told = command_line.parse(ReplayOptions, options, unset, "replay")
         assert (told.run, told.trial) == (view.path, one.trial)
         assert one.orientation == "right"
         assert one.actions == ("grasp-left (done)", *["insert-left (refused)"] * 9)

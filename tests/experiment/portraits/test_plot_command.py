@@ -8,10 +8,12 @@ from ideal_env import IdealEnv
 
 from prospect_mj.cli.plot import main
 from prospect_mj.episodes import episode_file
+from prospect_mj.experiment.evaluation.evaluate import evaluate
 from prospect_mj.experiment.run import session
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.kept_episodes import path_of
 from prospect_mj.experiment.run.run_folder import RunFolder
+from prospect_mj.experiment.view.evaluation_settings import EvaluationSettings
 from prospect_mj.experiment.view.run_view import RunView
 
 ALWAYS = ["q_values.png", "strategies.png", "weights.png"]
@@ -73,6 +75,14 @@ def test_what_is_no_run_is_named(tmp_path, capsys):
     assert "is not a run folder" in refused(capsys, tmp_path)
     assert "is not a run folder" in refused(capsys, tmp_path / "nowhere")
     assert not list(tmp_path.iterdir())
+
+
+def test_an_evaluation_is_no_run(run, capsys):
+    view, settings = RunView.read(run), EvaluationSettings(trials=2)
+    shown = evaluate(view, settings, make_env=IdealEnv, say=lambda _: None)
+    before = names(shown.path)
+    assert "is an evaluation, not a run" in refused(capsys, shown.path)
+    assert names(shown.path) == before
 
 
 def test_a_damaged_run_is_named_and_nothing_is_written(run, capsys):

@@ -32,7 +32,7 @@ class ReproduceConfig:
     trials: int = 1000
     """Trials of each, with a dominant hand 400 of pretraining among them."""
     ablation_runs: int | None = None
-    """Learners per scenario and choice in the ablation table; None: as many."""
+    """Learners per scenario and choice in the ablation table. Default: as many."""
     seed: int = 0
     """Equal seeds give equal reports, wall times aside."""
 

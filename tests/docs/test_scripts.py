@@ -1,0 +1,32 @@
+"""The scripts on the pages run, those of a page one after the other."""
+
+import subprocess
+import sys
+from importlib.util import find_spec
+
+import pytest
+from pages import DOCS, blocks
+
+PAGES = ("environment.md", "own_skill.md", "skills.md")
+FILMS = "moviepy"
+"""What Gymnasium writes films with; `make agents` installs it."""
+
+
+@pytest.mark.gl
+@pytest.mark.slow
+@pytest.mark.parametrize("page", PAGES)
+def test_scripts_of_a_page_run(page, tmp_path):
+    scripts = [b.text for b in blocks(DOCS / page) if b.language == "python"]
+    assert scripts
+    script = "\n".join(scripts)
+    if "save_video" in script and find_spec(FILMS) is None:
+        pytest.skip(f"needs {FILMS}, which `make agents` installs")
+    done = subprocess.run(
+        [sys.executable, "-c", script],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        timeout=240,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
