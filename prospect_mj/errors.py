@@ -76,6 +76,10 @@ class MissingViewer(ProspectError):
     """Rerun's viewer is not installed."""
 
 
+class MissingEncoder(ProspectError):
+    """There is no ffmpeg to make a video with."""
+
+
 class MissingPackage(ProspectError):
     """A package of an optional extra that is not installed."""
 

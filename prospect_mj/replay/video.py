@@ -14,7 +14,7 @@ from tqdm import tqdm
 
 from prospect_mj.checks import check_integer
 from prospect_mj.episodes.episode import Episode
-from prospect_mj.errors import InvalidValue
+from prospect_mj.errors import InvalidValue, MissingEncoder
 from prospect_mj.replay import eye
 from prospect_mj.replay.playback import model_of
 from prospect_mj.sim import overview
@@ -135,7 +135,15 @@ def _with_words(picture: Image, lines: Sequence[str]) -> Image:
 
 
 def _writer(path: Path, settings: VideoSettings) -> Generator[None, Image, None]:
-    """Takes pictures by `send`; the file is whole when it is closed."""
+    """Takes pictures by `send`; the file is whole when it is closed.
+
+    Raises:
+        MissingEncoder: if there is no ffmpeg.
+    """
+    try:
+        imageio_ffmpeg.get_ffmpeg_exe()
+    except RuntimeError as error:
+        raise MissingEncoder("no ffmpeg: pip install imageio-ffmpeg") from error
     writer = imageio_ffmpeg.write_frames(
         path,
         (settings.width, settings.height),

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from prospect_mj.episodes.episode import States
+from prospect_mj.errors import MissingEncoder
 from prospect_mj.replay import video
 from prospect_mj.replay.video import VideoSettings, film, moments
 
@@ -85,3 +86,13 @@ def test_a_film_that_could_not_be_finished_is_not_there(short, tmp_path, monkeyp
     with pytest.raises(OSError, match="disk full"):
         film(short, tmp_path / "late.mp4", SMALL)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_without_ffmpeg_it_says_so_and_leaves_nothing(short, tmp_path, monkeypatch):
+    def missing():
+        raise RuntimeError("No ffmpeg exe could be found.")
+
+    monkeypatch.setattr(video.imageio_ffmpeg, "get_ffmpeg_exe", missing)
+    with pytest.raises(MissingEncoder, match="pip install imageio-ffmpeg"):
+        film(short, tmp_path / "late.mp4", SMALL)
+    assert not list(tmp_path.iterdir())

@@ -41,9 +41,11 @@ def checked_config(path: Path) -> Path:
     Raises:
         RunFolderError: if `path` is no run folder.
     """
-    if not (path / CONFIG).is_file():
-        raise RunFolderError(f"{path} is not a run folder: it has no {CONFIG}")
-    return path / CONFIG
+    if (path / CONFIG).is_file():
+        return path / CONFIG
+    inside = sorted(path.glob(f"*/{CONFIG}"))
+    where = f"; runs are in it, such as {inside[0].parent}" if inside else ""
+    raise RunFolderError(f"{path} is not a run folder: it has no {CONFIG}{where}")
 
 
 def read_state(path: Path, origin: str) -> RunState | None:

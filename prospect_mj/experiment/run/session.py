@@ -60,8 +60,9 @@ def start(
         closing(make_env(config)) as env,
         RunFolder.create(out, config) as folder,
     ):
+        keeper = _keeper(folder, env, kept)
         say(f"training in {folder.path}; --resume {folder.path} goes on after a stop")
-        return _finish(folder, env, kept)
+        return _finish(folder, env, keeper)
 
 
 def resume(
@@ -92,9 +93,11 @@ def resume(
             say(f"{path} is finished: all of its {config.trials} trials are done")
             return None
         with closing(make_env(config)) as env:
+            # First, as it may refuse.
+            keeper = _keeper(folder, env, kept)
             folder.extend(config)
             say(f"resuming {path} at trial {folder.n_trials} of {config.trials}")
-            return _finish(folder, env, kept)
+            return _finish(folder, env, keeper)
 
 
 def check_same_run(path: Path, stored: TrainConfig, config: TrainConfig) -> None:
@@ -131,10 +134,11 @@ def _flat(settings: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
     return flat
 
 
-def _finish(folder: RunFolder, env: Environment, kept: Kept | None) -> Summary:
+def _finish(
+    folder: RunFolder, env: Environment, keeper: "EpisodeKeeper | None"
+) -> Summary:
     """Run what is left, draw the learning curve and sum up."""
     first_trial, began = folder.n_trials, time.perf_counter()
-    keeper = None if kept is None else _keeper(folder, env, kept)
     with Progress(folder, folder.config.trials) as progress:
         for finished in train(folder.config, env, folder.learner, first_trial):
             if keeper is not None:
@@ -145,7 +149,11 @@ def _finish(folder: RunFolder, env: Environment, kept: Kept | None) -> Summary:
     return Summary.of(folder, first_trial, time.perf_counter() - began)
 
 
-def _keeper(folder: RunFolder, env: Environment, kept: Kept) -> "EpisodeKeeper":
+def _keeper(
+    folder: RunFolder, env: Environment, kept: Kept | None
+) -> "EpisodeKeeper | None":
+    if kept is None:
+        return None
     # Where nothing is to be seen, nothing of MuJoCo is loaded.
     from prospect_mj.experiment.run.episode_keeper import EpisodeKeeper
 

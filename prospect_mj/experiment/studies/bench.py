@@ -2,6 +2,7 @@
 
 from collections import defaultdict
 from collections.abc import Callable
+from contextlib import closing
 from dataclasses import dataclass
 from functools import wraps
 from time import perf_counter
@@ -111,17 +112,16 @@ def bench(config: BenchConfig, tick: Tick = lambda: None) -> BenchResult:
     training = TrainConfig(
         trials=config.trials, seed=config.seed, gross_motion=config.gross_motion
     )
-    env = cast("PickPlaceEnv", make_environment(training))
-    # Warms up: compiled code is loaded, or made, when it is first called.
-    run_trial(training, env, new_learner(training), config.trials)
-    watch = _instrumented(env)
-    learner = new_learner(training)
-    simulated, start = 0.0, perf_counter()
-    for trial in range(config.trials):
-        simulated += run_trial(training, env, learner, trial).trial.sim_seconds
-        tick()
-    wall = perf_counter() - start
-    env.close()
+    with closing(cast("PickPlaceEnv", make_environment(training))) as env:
+        # Warms up: compiled code is loaded, or made, when it is first called.
+        run_trial(training, env, new_learner(training), config.trials)
+        watch = _instrumented(env)
+        learner = new_learner(training)
+        simulated, start = 0.0, perf_counter()
+        for trial in range(config.trials):
+            simulated += run_trial(training, env, learner, trial).trial.sim_seconds
+            tick()
+        wall = perf_counter() - start
     return _result(simulated, wall, watch, config.trials)
 
 

@@ -13,9 +13,10 @@ from ideal_env import IdealEnv
 
 from prospect_mj import paths, storage
 from prospect_mj.agent import LearnerSettings, LinearQ
-from prospect_mj.errors import FolderInUse, RunFolderError
+from prospect_mj.errors import FolderInUse, RecordingError, RunFolderError
 from prospect_mj.experiment.run import config_file, fingerprint, folder_guard, session
 from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.kept_episodes import Kept
 from prospect_mj.experiment.run.records import ACTION_SCHEMA, TRIAL_SCHEMA
 from prospect_mj.experiment.run.run_folder import RunFolder
 from prospect_mj.recording import provenance
@@ -396,3 +397,16 @@ def test_full_disk_is_an_error_of_the_run_folder(tmp_path, monkeypatch):
     monkeypatch.setattr(storage.os, "fsync", full)
     with pytest.raises(RunFolderError, match="No space left"):
         RunFolder.create(tmp_path / "run", CONFIG)
+
+
+def test_what_can_keep_no_episodes_is_refused_before_the_run_is_longer(tmp_path):
+    class Blind(IdealEnv):
+        def watch(self):
+            raise RecordingError("nothing to be seen")
+
+    path = tmp_path / "run"
+    session.start(CONFIG, path, Blind, **LAST_WORD)
+    before = content(path)
+    with pytest.raises(RecordingError):
+        session.resume(path, CONFIG.with_trials(9), Blind, kept=Kept(1), **LAST_WORD)
+    assert content(path) == before

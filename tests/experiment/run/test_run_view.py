@@ -87,3 +87,8 @@ def test_a_damaged_run_is_named(run, name, words):
 def test_what_is_no_run_is_named(tmp_path):
     with pytest.raises(RunFolderError, match="is not a run folder"):
         RunView.read(tmp_path)
+
+
+def test_a_folder_of_runs_names_one_of_them(run):
+    with pytest.raises(RunFolderError, match=r"runs are in it, such as .*run"):
+        RunView.read(run.parent)
