@@ -9,20 +9,23 @@ the wrong side, put back, grasp with the other hand, insert.
 docs/own_skill.md tells how the skill is made.
 """
 
+import sys
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 import mink
 import numpy as np
-import tyro
 from tqdm import tqdm
 
 from prospect_mj.actions import plan, poses
 from prospect_mj.actions.action import ActionResult
 from prospect_mj.actions.plan import Plan, Robot, Step
+from prospect_mj.checks import check_integer
+from prospect_mj.cli import command_line
 from prospect_mj.control.fine_motion import FineMotion
 from prospect_mj.control.result import ControlResult, Status
+from prospect_mj.recording.config import LARGEST_SEED
 from prospect_mj.robot import names
 from prospect_mj.robot.names import SIDES, Side
 from prospect_mj.skills import SkillRun, Workbench
@@ -85,6 +88,11 @@ class Options:
     seed: int = 0
     """Of the first one; the others follow."""
 
+    def __post_init__(self) -> None:
+        """Refuse what can't be tried."""
+        check_integer("presentations", self.presentations, 1, 10_000)
+        check_integer("seed", self.seed, 0, LARGEST_SEED - self.presentations)
+
 
 @dataclass(frozen=True)
 class Try:
@@ -112,9 +120,8 @@ def tries(options: Options) -> Iterator[Try]:
             yield Try(put, float(moved), bench.inserted)
 
 
-def main() -> None:
+def report(options: Options) -> None:
     """Try, and print what came of it."""
-    options = tyro.cli(Options)
     done = list(tqdm(tries(options), total=options.presentations, disable=None))
     results = Counter(str(one.put.result) for one in done)
     print("put back:", ", ".join(f"{name} {n}" for name, n in results.items()))
@@ -130,4 +137,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(command_line.main(report, Options(), "seventh_skill.py"))

@@ -47,8 +47,8 @@ def check_commands(installed: Path) -> None:
     assert prospect(installed, "--version").strip()
     checks = json.loads(prospect(installed, "doctor", "--json"))
     assert checks
-    few = ("--trials", "2", "--record", "all", "--out", "run")
-    prospect(installed, "train", *few)
+    few = ("--trials", "1", "--max-actions", "3", "--out", "run")
+    prospect(installed, "train", *few, "--record", "all")
     prospect(installed, "replay", "run", "--trial", "0", "--save", "trial.rrd")
     assert Path("trial.rrd").stat().st_size > 10_000
 

@@ -8,9 +8,11 @@ from dm_env import specs
 from gymnasium import spaces
 from numpy.typing import NDArray
 
+from prospect_mj.checks import check_integer
 from prospect_mj.envs.observation import FEATURES
 from prospect_mj.envs.pick_place import PickPlaceEnv
 from prospect_mj.envs.settings import PickPlaceSettings
+from prospect_mj.recording.config import LARGEST_SEED
 
 ACTION_MASK = "action_mask"
 
@@ -38,7 +40,13 @@ class PickPlaceDmEnv(dm_env.Environment):
         seed: int | None = None,
         **changes: Any,  # noqa: ANN401
     ) -> None:
-        """Make the environment beneath; the first step or reset begins a trial."""
+        """Make the environment beneath; the first step or reset begins a trial.
+
+        Raises:
+            InvalidValue: if the seed is no number from 0.
+        """
+        if seed is not None:
+            check_integer("seed", seed, 0, LARGEST_SEED)
         self.env = PickPlaceEnv(settings, **changes)
         self.info: dict[str, Any] = {}
         self._seed = seed

@@ -226,7 +226,9 @@ class PickPlaceEnv(gymnasium.Env[Observation, int]):
 
         Raises:
             InvalidValue: on recorded physics, where nothing is simulated.
+            gymnasium.error.ClosedEnvironmentError: after `close`, as of all else.
         """
+        self._trials.check_open()
         if self._screen is not None:
             return self._screen.render()
         if self.render_mode is not None:
@@ -238,4 +240,4 @@ class PickPlaceEnv(gymnasium.Env[Observation, int]):
         """Close the eyes, and what shows the scene."""
         if self._screen is not None:
             self._screen.close()
-        self.task.close()
+        self._trials.close()

@@ -71,6 +71,7 @@ class Trials:
         self._orientation: Orientation = ORIENTATIONS[0]
         self._trial = -1
         self._n_actions: int | None = None
+        self._closed = False
 
     def _observer(self, settings: PickPlaceSettings) -> Observer:
         features = FeatureObserver(settings.features)
@@ -108,6 +109,7 @@ class Trials:
             told: what the agent wants of the trial.
             rng: draws the rest.
         """
+        self.check_open()
         self._orientation = told.orientation or drawn_orientation(rng)
         self._trial = self._trial + 1 if told.trial is None else told.trial
         look = self.task.reset(self._orientation, rng)
@@ -122,6 +124,7 @@ class Trials:
         Raises:
             gymnasium.error.ResetNeeded: before the first trial and after its end.
         """
+        self.check_open()
         if self._n_actions is None:
             raise gymnasium.error.ResetNeeded("no trial is under way: call reset")
         outcome = self.task.execute(action)
@@ -133,6 +136,20 @@ class Trials:
             self._n_actions = None
         seen = self.observer.observe(self._holding)
         return Transition(seen, REWARD, terminated, truncated, info)
+
+    def check_open(self) -> None:
+        """Refuse what needs the task.
+
+        Raises:
+            gymnasium.error.ClosedEnvironmentError: after `close`.
+        """
+        if self._closed:
+            raise gymnasium.error.ClosedEnvironmentError("the environment is closed")
+
+    def close(self) -> None:
+        """Close the task; closing again does nothing."""
+        self._closed = True
+        self.task.close()
 
     @property
     def _holding(self) -> Holding:

@@ -56,7 +56,7 @@ def plan_of(writer: Writer, robot: Robot, side: Side | None) -> Plan:
     given = (robot,) if side is None else (robot, checked_side(side))
     try:
         inspect.signature(writer).bind(*given)
-    except TypeError as error:
+    except (TypeError, ValueError) as error:
         name = name_of(writer, None)
         raise InvalidValue("side", side, f"what {name} takes: {error}") from None
     plan = writer(*given)

@@ -10,7 +10,7 @@ from dm_env import specs, test_utils
 
 from prospect_mj.envs.dm_face import PickPlaceDmEnv
 from prospect_mj.envs.pick_place import PickPlaceEnv
-from prospect_mj.errors import InvalidChoice
+from prospect_mj.errors import InvalidChoice, InvalidValue
 
 GRASP_LEFT, INSERT_LEFT, INSERT_RIGHT = 0, 4, 5
 
@@ -119,3 +119,8 @@ def test_bad_actions_are_refused_with_the_good_ones():
     env.reset()
     with pytest.raises(InvalidChoice, match="valid: 0, 1, 2, 3, 4, 5"):
         env.step(6)
+
+
+def test_a_seed_that_is_none_is_refused_at_once():
+    with pytest.raises(InvalidValue, match="seed is -1"):
+        PickPlaceDmEnv(physics="recorded", seed=-1)

@@ -137,6 +137,20 @@ def test_the_same_seed_gives_the_same_trials(env):
     one = follow(env, "left", [1, 5, 3, 4], seed=7)
     other = follow(env, "left", [1, 5, 3, 4], seed=7)
     assert repr(one) == repr(other)
+    first, _ = env.reset(seed=7)
+    again, _ = env.reset(seed=7)
+    np.testing.assert_array_equal(first, again)
+    assert (env.reset(seed=8)[0] != first).any()
+
+
+def test_a_closed_environment_says_so():
+    env = PickPlaceEnv(physics="recorded")
+    env.reset(seed=0)
+    env.close()
+    for use in (env.reset, env.render, lambda: env.step(0)):
+        with pytest.raises(gymnasium.error.ClosedEnvironmentError):
+            use()
+    env.close()
 
 
 def test_it_needs_neither_mujoco_nor_opengl():

@@ -171,6 +171,7 @@ def no_result(robot):
         ("grasp-left", "left", InvalidValue, "side is 'left'; expected none"),
         (stay, "left", InvalidValue, "expected what stay takes"),
         (stay_by, None, InvalidValue, "expected what stay-by takes"),
+        (dict, None, InvalidValue, "expected what dict takes"),
         (stay_by, "up", InvalidChoice, "side is 'up'; valid: left, right"),
         (lambda robot: None, None, InvalidValue, "expected a generator"),
         (no_tuple, None, InvalidValue, "expected a tuple of controllers"),
