@@ -1,6 +1,7 @@
 """The README's picture: a trial with an early correction in four frames."""
 
 import cv2
+import mujoco
 import numpy as np
 
 from prospect_mj.actions.action import Action
@@ -35,6 +36,8 @@ def _photograph(task: PickPlaceTask) -> Image:
     """A picture (720, 1280, 3) RGB of the scene as it is."""
     with OffscreenRenderer(task.simulation.model, *SIZE) as renderer:
         renderer.update_scene(task.simulation.data, overview.camera())
+        # They speckle the arms.
+        renderer.scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = False
         return renderer.render()
 
 
