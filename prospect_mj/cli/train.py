@@ -130,7 +130,12 @@ def _train_seeds(
 ) -> None:
     # Only here: it loads the libraries that draw the paper's figures.
     from prospect_mj.experiment.seeds.seed_list import parse_seeds
-    from prospect_mj.experiment.seeds.seeds_folder import CURVES, DEFAULT, SUMMARY
+    from prospect_mj.experiment.seeds.seeds_folder import (
+        CURVES,
+        DEFAULT,
+        FIGURES,
+        SUMMARY,
+    )
     from prospect_mj.experiment.seeds.train_seeds import train_seeds
 
     out = DEFAULT if options.out is None else options.out
@@ -139,7 +144,7 @@ def _train_seeds(
     summary = train_seeds(
         options.config, numbers, out, options.jobs, make_env, output.say, kept
     )
-    told = f"folder {out}: a run folder for each seed, {SUMMARY}, {CURVES}"
+    told = f"folder {out}: a run folder for each seed, {SUMMARY}, {FIGURES}, {CURVES}"
     output.result(f"{summary}\n{told}", summary)
 
 

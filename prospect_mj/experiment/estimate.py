@@ -90,8 +90,21 @@ def mean_of_few(values: Sequence[float]) -> Estimate:
     """
     if not len(values):
         return Estimate(np.nan, np.nan, np.nan)
-    mean = float(np.mean(values))
-    if len(values) == 1:
-        return Estimate(mean, np.nan, np.nan)
-    reach = float(stats.t.ppf((1 + LEVEL) / 2, len(values) - 1) * stats.sem(values))
-    return Estimate(mean, mean - reach, mean + reach)
+    low, high = band_of_few(np.reshape(values, (-1, 1)))
+    return Estimate(float(np.mean(values)), float(low[0]), float(high[0]))
+
+
+def band_of_few(values: _Values) -> NDArray[np.float64]:
+    """Student's interval of the mean, column by column.
+
+    Args:
+        values: (r, s), a row for each run.
+
+    Returns:
+        (2, s): lower and upper bounds, NaN for a single row.
+    """
+    n_rows, mean = len(values), np.mean(values, axis=0)
+    if n_rows == 1:
+        return np.full((2, len(mean)), np.nan)
+    reach = stats.t.ppf((1 + LEVEL) / 2, n_rows - 1) * stats.sem(values, axis=0)
+    return np.stack([mean - reach, mean + reach])

@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
+from prospect_mj.experiment.estimate import LEVEL, band_of_few
 from prospect_mj.experiment.paper.figures.figure_frame import (
     BLUE,
     Heading,
@@ -11,23 +12,20 @@ from prospect_mj.experiment.paper.figures.figure_frame import (
     segments,
     set_trials,
 )
-from prospect_mj.experiment.paper.measures.bootstrap import (
-    LEVEL,
-    Floats,
-    band,
-    times_drawn,
+from prospect_mj.experiment.run.learning_curve import (
+    BLOCK,
+    OPTIMUM,
+    WINDOW,
+    block_means,
 )
-from prospect_mj.experiment.run.learning_curve import BLOCK, WINDOW, block_means
 from prospect_mj.experiment.run.plots import draw_levels, png
 
+_Floats = NDArray[np.float64]
 _PALE = "#9fb4c4"
 
 
 def learning_curves(
-    n_actions: NDArray[np.integer],
-    pretrain: int,
-    max_actions: int,
-    rng: np.random.Generator,
+    n_actions: NDArray[np.integer], pretrain: int, max_actions: int
 ) -> bytes:
     """Draw actions per trial in sets of ten, as the paper's figure 5.
 
@@ -35,7 +33,6 @@ def learning_curves(
         n_actions: (runs, trials) [actions].
         pretrain: the first so many trials were pretraining.
         max_actions: where trials are cut off [actions].
-        rng: resamples the runs, for the band of their mean.
 
     Returns:
         The picture as PNG.
@@ -51,7 +48,8 @@ def learning_curves(
     axes.set_ylabel("actions per trial")
     axes.set_ylim(0, max_actions * 1.08)
     draw_levels(axes, max_actions)
-    bounds = _band(curves, rng)
+    # No trial is shorter or longer, so no mean is.
+    bounds = np.clip(band_of_few(curves), OPTIMUM, max_actions)
     for part in segments(heading, trials):
         middles = trials[part] + size / 2
         _draw(axes, middles, curves[:, part], bounds[:, part])
@@ -62,18 +60,17 @@ def _heading(n_runs: int, size: int, pretrain: int) -> Heading:
     sets = f" in sets of {size} trials" if size > 1 else ""
     what = f"one seed{sets}"
     if n_runs > 1:
-        band_words = f"{100 * LEVEL:.0f} % band (bootstrap over seeds)"
+        band_words = f"{100 * LEVEL:.0f} % band (Student's)"
         what = f"mean over {n_runs} seeds{sets}, {band_words}; single seeds pale"
     return Heading("Actions per trial over seeds", what, pretrain)
 
 
-def _band(curves: Floats, rng: np.random.Generator) -> Floats:
-    """Pointwise bounds (2, s) of the mean over runs (r, s)."""
-    n_runs = len(curves)
-    return band(times_drawn(n_runs, rng) @ curves / n_runs)
-
-
-def _draw(axes: Axes, middles: Floats, curves: Floats, bounds: Floats) -> None:
+def _draw(
+    axes: Axes,
+    middles: _Floats,
+    curves: _Floats,
+    bounds: _Floats,
+) -> None:
     """Single curves (r, s) behind, the band (2, s), and the mean in front."""
     axes.plot(middles, curves.T, color=_PALE, linewidth=0.6, alpha=0.6)
     axes.fill_between(middles, *bounds, color=BLUE, alpha=0.3, lw=0, zorder=2.5)

@@ -102,8 +102,6 @@ def _sum_up(out: Path, runs: Sequence[RunView]) -> SeedsSummary:
     figures = yaml.safe_dump(asdict(summary), sort_keys=False)
     replace_file(out / FIGURES, figures.encode())
     n_actions = np.array([run.trials["n_actions"].to_numpy() for run in runs])
-    # Any fixed seed: the same runs give the same picture.
-    rng = np.random.default_rng(0)
-    picture = learning_curves(n_actions, config.pretrain, config.max_actions, rng)
+    picture = learning_curves(n_actions, config.pretrain, config.max_actions)
     replace_file(out / CURVES, picture)
     return summary
