@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import tyro
@@ -67,13 +68,13 @@ def _study(options: StudyOptions) -> None:
     from prospect_mj.experiment.studies import skill_study
 
     runs = _counted(
-        skill_study.skills_in_parallel, options.presentations, "presentation", options
+        skill_study.run_skills, options.presentations, "presentation", options
     )
     actions = skill_study.summarise(runs)
     failed = [run for run in runs if not run.passed]
     options.output.say(_table(actions, runs))
     episodes = _counted(
-        skill_study.random_policy_in_parallel, options.episodes, "episode", options
+        skill_study.run_random_policy, options.episodes, "episode", options
     )
     policy = _side_effects(episodes)
     figures = {"actions": actions, "failed": failed, "random_policy": policy}
@@ -83,12 +84,14 @@ def _study(options: StudyOptions) -> None:
 def _counted(
     study: Callable[..., list[_Found]], n: int, unit: str, options: StudyOptions
 ) -> list[_Found]:
-    """What a part of the study finds, with a bar."""
+    """What a part of the study finds at `n` seeds, with a bar."""
+    from prospect_mj.experiment.studies.shares import in_parallel
     from prospect_mj.task.pick_place import TaskSettings
 
-    settings = TaskSettings(gross_motion=options.gross_motion)
+    work = partial(study, TaskSettings(gross_motion=options.gross_motion))
+    seeds = range(options.seed, options.seed + n)
     with tqdm(total=n, unit=unit, dynamic_ncols=True, disable=None) as bar:
-        return study(settings, n, options.jobs, options.seed, tick=bar.update)
+        return in_parallel(work, seeds, options.jobs, tick=bar.update)
 
 
 def _table(actions: Sequence[Any], runs: "Sequence[SkillRun]") -> str:

@@ -1,12 +1,15 @@
 """The figures that the six skills must show; minutes long, run by `make study`."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 
 from prospect_mj.control.arm_control import GROSS_MOTIONS
+from prospect_mj.experiment.studies.shares import in_parallel
 from prospect_mj.experiment.studies.skill_study import (
-    random_policy_in_parallel,
-    skills_in_parallel,
+    run_random_policy,
+    run_skills,
     summarise,
 )
 from prospect_mj.task.pick_place import TaskSettings
@@ -27,12 +30,12 @@ def task(request):
 
 @pytest.fixture(scope="module")
 def runs(task):
-    return skills_in_parallel(task, PRESENTATIONS, jobs=2)
+    return in_parallel(partial(run_skills, task), range(PRESENTATIONS), jobs=2)
 
 
 @pytest.fixture(scope="module")
 def episodes(task):
-    return random_policy_in_parallel(task, EPISODES, jobs=2)
+    return in_parallel(partial(run_random_policy, task), range(EPISODES), jobs=2)
 
 
 def table(lines):

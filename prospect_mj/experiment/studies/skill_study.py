@@ -8,13 +8,10 @@ the wrong way round, hands the jar over, and the first hand inserts it.
 from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 
 from prospect_mj.actions.action import Action, ActionResult
-from prospect_mj.experiment.studies.shares import Tick, in_parallel
-from prospect_mj.recording.workers import Backend
 from prospect_mj.robot import names
 from prospect_mj.robot.names import Side
 from prospect_mj.sim.audit import Audit, Findings
@@ -181,30 +178,3 @@ def _random_actions(
         if task.inserted:
             break
     return tuple(results)
-
-
-def skills_in_parallel(
-    settings: TaskSettings,
-    n: int,
-    jobs: int = 2,
-    first_seed: int = 0,
-    backend: Backend = "local",
-    tick: Tick = lambda n: None,
-) -> list[SkillRun]:
-    """`run_skills` over `n` seeds on several processes."""
-    seeds = range(first_seed, first_seed + n)
-    return in_parallel(partial(run_skills, settings), seeds, jobs, backend, tick)
-
-
-def random_policy_in_parallel(
-    settings: TaskSettings,
-    n: int,
-    jobs: int = 2,
-    first_seed: int = 0,
-    backend: Backend = "local",
-    tick: Tick = lambda n: None,
-) -> list[PolicyEpisode]:
-    """`run_random_policy` over `n` seeds on several processes."""
-    seeds = range(first_seed, first_seed + n)
-    study = partial(run_random_policy, settings)
-    return in_parallel(study, seeds, jobs, backend, tick)
