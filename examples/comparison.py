@@ -1,12 +1,9 @@
 """What the other examples are held against: the paper's learner on the same trials."""
 
-import sys
-from typing import TypeVar
-
 import numpy as np
-import tyro
 
 from prospect_mj.agent import LinearQ
+from prospect_mj.checks import check_integer
 from prospect_mj.envs.pick_place import PickPlaceEnv
 
 OPTIMUM = 2
@@ -14,19 +11,18 @@ OPTIMUM = 2
 LAST = 100
 """Trials that a mean is taken over."""
 
-_Options = TypeVar("_Options")
+_MOST = 1_000_000_000
+"""Of any option; torch and NumPy know no seed from 2^32 on."""
 
 
-def read(options: type[_Options]) -> _Options:
-    """The options of the command line, whole numbers all; one line if one can't be."""
-    given = tyro.cli(options)
-    for name, number in vars(given).items():
-        least = 0 if name == "seed" else 1
-        if number < least:
-            words = f"error: --{name} is {number}; expected a number from {least}"
-            print(words, file=sys.stderr)
-            sys.exit(2)
-    return given
+def check(options: object) -> None:
+    """Refuse an example's options, whole numbers all, that can't be.
+
+    Raises:
+        InvalidValue: that names the option.
+    """
+    for name, number in vars(options).items():
+        check_integer(f"--{name}", number, 0 if name == "seed" else 1, _MOST)
 
 
 def paper_learner(trials: int, seed: int) -> list[int]:

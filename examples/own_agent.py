@@ -4,13 +4,15 @@ It knows two pictures, the brighter and the darker than what it has seen on aver
 three states of the hands.
 """
 
+import sys
 from dataclasses import dataclass
 
 import gymnasium
 import numpy as np
-from comparison import read, report
+from comparison import check, report
 
 import prospect_mj  # noqa: F401  (registers the environment)
+from prospect_mj.cli import command_line
 
 STEP_SIZE, EPSILON = 0.2, 0.1
 
@@ -23,6 +25,10 @@ class Options:
     """How many."""
     seed: int = 0
     """Of presentations and exploration."""
+
+    def __post_init__(self) -> None:
+        """Refuse numbers that can't be."""
+        check(self)
 
 
 class OwnAgent:
@@ -79,6 +85,10 @@ def train(options: Options) -> list[int]:
     return lengths
 
 
-if __name__ == "__main__":
-    options = read(Options)
+def main(options: Options) -> None:
+    """Train, and print what came of it."""
     print(report("own agent", train(options), options.seed))
+
+
+if __name__ == "__main__":
+    sys.exit(command_line.main(main, Options(), "own_agent.py"))

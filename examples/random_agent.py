@@ -1,12 +1,14 @@
 """An agent that chooses at random, from all actions and from those that are of use."""
 
+import sys
 from dataclasses import dataclass
 
 import gymnasium
 import numpy as np
-from comparison import read, report
+from comparison import check, report
 
 import prospect_mj  # noqa: F401  (registers the environment)
+from prospect_mj.cli import command_line
 
 
 @dataclass(frozen=True)
@@ -17,6 +19,10 @@ class Options:
     """How many."""
     seed: int = 0
     """Of presentations and choices."""
+
+    def __post_init__(self) -> None:
+        """Refuse numbers that can't be."""
+        check(self)
 
 
 def play(options: Options, supervisor: str) -> list[int]:
@@ -45,4 +51,4 @@ def main(options: Options) -> None:
 
 
 if __name__ == "__main__":
-    main(read(Options))
+    sys.exit(command_line.main(main, Options(), "random_agent.py"))

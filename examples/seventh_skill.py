@@ -90,8 +90,8 @@ class Options:
 
     def __post_init__(self) -> None:
         """Refuse what can't be tried."""
-        check_integer("presentations", self.presentations, 1, 10_000)
-        check_integer("seed", self.seed, 0, LARGEST_SEED - self.presentations)
+        check_integer("--presentations", self.presentations, 1, 10_000)
+        check_integer("--seed", self.seed, 0, LARGEST_SEED - self.presentations)
 
 
 @dataclass(frozen=True)

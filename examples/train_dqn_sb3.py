@@ -1,14 +1,16 @@
 """Stable-Baselines3's DQN on recorded physics."""
 
+import sys
 from dataclasses import dataclass
 
 import gymnasium
 import torch
-from comparison import read, report
+from comparison import check, report
 from stable_baselines3 import DQN
 from stable_baselines3.common.monitor import Monitor
 
 import prospect_mj  # noqa: F401  (registers the environment)
+from prospect_mj.cli import command_line
 
 
 @dataclass(frozen=True)
@@ -19,6 +21,10 @@ class Options:
     """Actions in all."""
     seed: int = 0
     """Of network, exploration and presentations."""
+
+    def __post_init__(self) -> None:
+        """Refuse numbers that can't be."""
+        check(self)
 
 
 def train(options: Options) -> list[int]:
@@ -41,6 +47,10 @@ def train(options: Options) -> list[int]:
     return env.get_episode_lengths()
 
 
-if __name__ == "__main__":
-    options = read(Options)
+def main(options: Options) -> None:
+    """Train, and print what came of it."""
     print(report("DQN", train(options), options.seed))
+
+
+if __name__ == "__main__":
+    sys.exit(command_line.main(main, Options(), "train_dqn_sb3.py"))

@@ -4,15 +4,17 @@ The supervisor's mode `productive` masks what can change nothing, such as an ins
 with an empty hand.
 """
 
+import sys
 from dataclasses import dataclass
 from itertools import accumulate
 
 import torch
-from comparison import read, report
+from comparison import check, report
 from sb3_contrib import MaskablePPO
 from stable_baselines3.common.env_util import make_vec_env
 
 import prospect_mj  # noqa: F401  (registers the environment)
+from prospect_mj.cli import command_line
 
 ENVS = 8
 
@@ -25,6 +27,10 @@ class Options:
     """Actions in all."""
     seed: int = 0
     """Of networks, exploration and presentations."""
+
+    def __post_init__(self) -> None:
+        """Refuse numbers that can't be."""
+        check(self)
 
 
 def train(options: Options) -> list[int]:
@@ -55,6 +61,10 @@ def train(options: Options) -> list[int]:
     return [length for _, length in sorted(ended)]
 
 
-if __name__ == "__main__":
-    options = read(Options)
+def main(options: Options) -> None:
+    """Train, and print what came of it."""
     print(report("MaskablePPO", train(options), options.seed))
+
+
+if __name__ == "__main__":
+    sys.exit(command_line.main(main, Options(), "train_maskable_ppo.py"))

@@ -9,6 +9,9 @@ from dataclasses import fields
 
 from prospect_mj.errors import InvalidChoice, InvalidValue
 
+_MOST_DIGITS = 19
+"""Of a whole number: the largest integer of 64 bits has so many."""
+
 
 def check_integer(what: str, value: object, least: int, most: int) -> None:
     """Refuse all but an integer in a range; true and false are none.
@@ -56,6 +59,16 @@ def check_choice(what: str, value: object, choices: Collection[object]) -> None:
     """
     if value not in choices:
         raise InvalidChoice(what, value, choices)
+
+
+def whole_number(words: str) -> int | None:
+    """The number that some digits write, such as `50`; None for all other words.
+
+    Not what `int` reads as well: signs, blanks, underscores, digits of other scripts.
+    Nor more digits than any number has that could be meant.
+    """
+    written = words.isascii() and words.isdecimal() and len(words) <= _MOST_DIGITS
+    return int(words) if written else None
 
 
 def check_names(plain: Mapping[str, object], settings: type) -> None:

@@ -61,7 +61,8 @@ def main() -> int:
     glfw.window_hint(glfw.VISIBLE, glfw.FALSE)
     window = glfw.create_window(64, 64, "prospect", None, None)
     if not window:
-        print(said[0].decode(errors="replace"), file=sys.stderr)
+        reason = said[0].decode(errors="replace") if said else "GLFW gave no reason"
+        print(reason, file=sys.stderr)
         return 1
     glfw.terminate()
     return 0

@@ -19,6 +19,20 @@ def _with_message(kind: type[ProspectError], message: str) -> ProspectError:
     return kind.__new__(kind, message)
 
 
+class InputNotAtFault(ProspectError):
+    """Base of what goes wrong whatever was asked for: the physics failed."""
+
+
+def is_inputs_fault(error: Exception | None) -> bool:
+    """Whether an error is of what was asked for, and not of physics or machine.
+
+    A missing file that ships with the package is an `OSError` too; it counts as input,
+    and so does whatever may not be read or written.
+    """
+    ours = isinstance(error, ProspectError | PermissionError)
+    return ours and not isinstance(error, InputNotAtFault)
+
+
 class InvalidChoice(ProspectError, ValueError):
     """A value that is not among the valid ones, which the message lists."""
 
@@ -91,15 +105,15 @@ class MissingPackage(ProspectError):
         )
 
 
-class SimulationDiverged(ProspectError):
+class SimulationDiverged(InputNotAtFault):
     """MuJoCo raised a warning (bad acceleration, full buffers): the physics is void."""
 
 
-class UnfinishedRecording(ProspectError):
+class UnfinishedRecording(InputNotAtFault):
     """Some trees could not be grown to their end; all others are there."""
 
 
-class UnforeseenEvent(ProspectError):
+class UnforeseenEvent(InputNotAtFault):
     """The robot observed what its discrete-event model says can't happen."""
 
     def __init__(self, event: str, state: str) -> None:

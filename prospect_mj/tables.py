@@ -57,8 +57,12 @@ def read(
     Raises:
         ForeignTable: if it has other columns or another mark.
     """
-    # As a file of its own: in a folder called a=b pyarrow would see a column.
-    with pq.ParquetFile(path, page_checksum_verification=True) as file:
+    # Opened here: pyarrow would see a column in a folder called a=b, and an address in
+    # one called s3:b.
+    with (
+        path.open("rb") as stream,
+        pq.ParquetFile(stream, page_checksum_verification=True) as file,
+    ):
         found = file.schema_arrow
         if found != schema:
             raise ForeignTable(f"{path} has other columns than this version writes")

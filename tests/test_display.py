@@ -2,6 +2,7 @@
 
 import sys
 
+import glfw
 import pytest
 
 from prospect_mj import display
@@ -28,6 +29,22 @@ def test_a_display_that_is_not_there_is_found_out(monkeypatch):
     reason = display.why_no_window()
     assert reason.startswith("no window can be opened: ")
     assert ":9876" in reason
+
+
+@pytest.mark.parametrize(
+    ("said", "told"), [([b"X11: no screen"], "X11: no screen"), ([], "gave no reason")]
+)
+def test_a_window_that_fails_has_a_reason(said, told, monkeypatch, capsys):
+    def listen(callback):
+        for words in said:
+            callback(0, words)
+
+    monkeypatch.setattr(glfw, "set_error_callback", listen)
+    monkeypatch.setattr(glfw, "init", lambda: False)
+    monkeypatch.setattr(glfw, "window_hint", lambda *_: None)
+    monkeypatch.setattr(glfw, "create_window", lambda *_: None)
+    assert display.main() == 1
+    assert told in capsys.readouterr().err
 
 
 def test_a_driver_that_takes_the_process_down_is_survived(monkeypatch):

@@ -68,7 +68,7 @@ class ActionOutcome:
 
     action: Action
     executed: bool
-    """Whether it was let run."""
+    """Whether it was run: not where it may not, nor when the jar was not seen."""
     result: ActionResult
     sim_seconds: float
     """Simulated time that it took [s]."""

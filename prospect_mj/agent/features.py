@@ -54,7 +54,7 @@ class FeatureSettings:
         check_choice("feature reading", self.reading, get_args(Reading))
         valid = get_args(Normalisation)
         check_choice("feature normalisation", self.normalisation, valid)
-        check_number("feature energy", self.energy, 0, 100, above=True)
+        check_number("energy", self.energy, 0, 100, above=True)
 
 
 class FeatureBounds(NamedTuple):

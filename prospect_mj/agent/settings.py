@@ -28,9 +28,9 @@ class LearnerSettings:
 
     def __post_init__(self) -> None:
         """Refuse numbers outside of their range."""
-        check_number("step size", self.step_size, 0, 10, above=True)
+        check_number("step_size", self.step_size, 0, 10, above=True)
         check_number("epsilon", self.epsilon, 0, 1)
         check_number("discount", self.discount, 0, 1)
-        check_number("deviation of initial weights", self.initial_sd, 0, 1000)
+        check_number("initial_sd", self.initial_sd, 0, 1000)
         check_integer("number of actions", self.n_actions, 1, _MOST)
         check_integer("number of features", self.n_features, 1, _MOST)

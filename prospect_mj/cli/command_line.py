@@ -2,20 +2,18 @@
 
 import contextlib
 import io
-import operator
 import os
-import re
 import sys
 import warnings
 from collections.abc import Callable, Sequence
-from itertools import dropwhile, takewhile
 from typing import TYPE_CHECKING, TypeVar
 
+from prospect_mj.cli import refusal
 from prospect_mj.errors import (
+    InvalidChoice,
+    InvalidValue,
     ProspectError,
-    SimulationDiverged,
-    UnfinishedRecording,
-    UnforeseenEvent,
+    is_inputs_fault,
 )
 
 if TYPE_CHECKING:
@@ -25,14 +23,7 @@ FAILED = 1
 BAD_INPUT = 2
 INTERRUPTED = 130
 
-_NO_INPUTS_FAULT = (SimulationDiverged, UnfinishedRecording, UnforeseenEvent)
-
 _Options = TypeVar("_Options")
-_ESCAPE = re.compile(r"\x1b\[[0-9;]*m")
-# What tyro puts before an option or before a dataclass's own words.
-_PARSING = re.compile(r"^Error parsing (?:[A-Za-z_][\w.]*: )?")
-_RULE = re.compile(r"-{4,}")
-_FRAME = "╭╮╰╯│─ \t"
 
 
 class BadOptions(ProspectError):
@@ -72,7 +63,7 @@ def parse(
     except SystemExit as end:
         if end.code in (0, None):
             raise
-        raise BadOptions(_first_section(drawn.getvalue())) from None
+        raise BadOptions(refusal.of_box(drawn.getvalue())) from None
 
 
 def main(
@@ -95,15 +86,22 @@ def main(
         The exit code; see `run`.
     """
     given = sys.argv[1:] if argv is None else argv
-    return run(lambda: command(parse(type(default), given, default, prog)), interrupted)
+    return run(
+        lambda: command(parse(type(default), given, default, prog)), interrupted, given
+    )
 
 
-def run(command: Callable[[], None], interrupted: str = "interrupted") -> int:
+def run(
+    command: Callable[[], None],
+    interrupted: str = "interrupted",
+    argv: Sequence[str] = (),
+) -> int:
     """Run a command; failures print one line on stderr.
 
     Args:
         command: what to run.
         interrupted: what to tell a user who stops it.
+        argv: the arguments that it was given, by which bad values are named.
 
     Returns:
         The exit code: 0; 1 if the machine or the physics failed; 2 for input that
@@ -124,21 +122,27 @@ def run(command: Callable[[], None], interrupted: str = "interrupted") -> int:
         _discard_output()
         return FAILED
     except (ProspectError, OSError) as error:
-        print(f"error: {' '.join(str(error).split())}", file=sys.stderr)
-        return _exit_code(error)
+        print(f"error: {_told(error, argv)}", file=sys.stderr)
+        return BAD_INPUT if is_inputs_fault(error) else FAILED
     return 0
+
+
+def _told(error: Exception, argv: Sequence[str]) -> str:
+    words = " ".join(str(error).split())
+    if isinstance(error, OSError) and error.filename and error.strerror:
+        return f"{error.filename}: {error.strerror}"
+    of_a_value = isinstance(error, BadOptions | InvalidChoice | InvalidValue)
+    return refusal.as_typed(words, argv) if of_a_value else words
 
 
 def _show_warning(message: Warning | str, *where: object, **more: object) -> None:
     """One line for a user, to whom the place in the code says nothing."""
-    print(f"warning: {message}", file=sys.stderr, flush=True)
+    # Only here: few commands warn, and it takes a while to load.
+    from tqdm import tqdm
 
-
-def _exit_code(error: Exception) -> int:
-    """A missing model file is both kinds of error; it counts as input."""
-    bad_input = isinstance(error, ProspectError)
-    bad_input = bad_input and not isinstance(error, _NO_INPUTS_FAULT)
-    return BAD_INPUT if bad_input else FAILED
+    # Beside a bar that may be there.
+    tqdm.write(f"warning: {message}", file=sys.stderr)
+    sys.stderr.flush()
 
 
 def _discard_output() -> None:
@@ -147,12 +151,3 @@ def _discard_output() -> None:
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, sys.stdout.fileno())
         os.close(nowhere)
-
-
-def _first_section(box: str) -> str:
-    """The text of a box below its title, down to the next rule, without the frame."""
-    lines = [line.strip(_FRAME) for line in _ESCAPE.sub("", box).splitlines()]
-    # Where the terminal has no box characters, a rule is dashes, also below the title.
-    ruled = ["" if _RULE.fullmatch(line) else line for line in lines[1:]]
-    text = dropwhile(operator.not_, ruled)
-    return _PARSING.sub("", " ".join(takewhile(bool, text)))

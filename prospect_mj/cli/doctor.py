@@ -49,7 +49,11 @@ def main(argv: Sequence[str] | None = None, prog: str = "doctor.py") -> int:
 def _examine(output: Output) -> list[Check]:
     checks: list[Check] = []
     with tqdm(
-        total=len(examination.LOOKS), leave=False, dynamic_ncols=True, disable=None
+        total=len(examination.LOOKS),
+        unit="look",
+        leave=False,
+        dynamic_ncols=True,
+        disable=None,
     ) as bar:
         for name, found in examination.examine():
             bar.set_description_str(name)

@@ -48,6 +48,11 @@ def replay(argv: Sequence[str] | None = None, prog: str = "draw_replay.py") -> i
     return main(_replay, IMAGES / "replay.png", prog, argv)
 
 
+def weights(argv: Sequence[str] | None = None, prog: str = "draw_weights.py") -> int:
+    """Draw which grey levels decide in a run on recorded physics, for the README."""
+    return main(_weights, IMAGES / "weights.png", prog, argv)
+
+
 def main(
     picture: Callable[[], bytes],
     out: Path,
@@ -67,9 +72,7 @@ def main(
     """
 
     def draw(options: DrawOptions) -> None:
-        with tqdm(total=1, unit="picture", dynamic_ncols=True, disable=None) as bar:
-            content = picture()
-            bar.update()
+        content = picture()
         options.out.parent.mkdir(parents=True, exist_ok=True)
         options.out.write_bytes(content)
         print(f"wrote {options.out}")
@@ -80,26 +83,49 @@ def main(
 def _automaton() -> bytes:
     from prospect_mj.experiment.pictures import automaton_plot
 
+    # It takes a second: no bar.
     return automaton_plot.automaton()
 
 
 def _field() -> bytes:
-    gl.require_gl()
-    # dm_control, which composes the scene, needs OpenGL chosen before it is loaded.
-    from prospect_mj.experiment.pictures import field_plot
+    with _bar() as bar:
+        gl.require_gl()
+        # dm_control, which composes the scene, needs OpenGL chosen before it is loaded.
+        from prospect_mj.experiment.pictures import field_plot
 
-    return field_plot.field_picture()
+        return field_plot.field_picture(_ticks(bar, field_plot.STEPS))
 
 
 def _scene() -> bytes:
-    gl.require_gl()
-    from prospect_mj.experiment.pictures import scene_picture
+    with _bar() as bar:
+        gl.require_gl()
+        from prospect_mj.experiment.pictures import scene_picture
 
-    return scene_picture.scene_picture()
+        return scene_picture.scene_picture(_ticks(bar, scene_picture.STEPS))
 
 
 def _replay() -> bytes:
-    gl.require_gl()
-    from prospect_mj.experiment.pictures import replay_picture
+    with _bar() as bar:
+        gl.require_gl()
+        from prospect_mj.experiment.pictures import replay_picture
 
-    return replay_picture.replay_picture()
+        return replay_picture.replay_picture(_ticks(bar, replay_picture.STEPS))
+
+
+def _weights() -> bytes:
+    with _bar() as bar:
+        from prospect_mj.experiment.pictures import mind_picture
+
+        return mind_picture.mind_picture(_ticks(bar, mind_picture.STEPS))
+
+
+def _bar() -> tqdm:
+    """It is there at once: to load what draws takes seconds by itself."""
+    return tqdm(desc="loading", unit="step", dynamic_ncols=True, disable=None)
+
+
+def _ticks(bar: tqdm, steps: int) -> Callable[[], object]:
+    """Begin the steps of a picture; what counts them."""
+    bar.set_description_str("drawing")
+    bar.reset(steps)
+    return bar.update

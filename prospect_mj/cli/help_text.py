@@ -40,7 +40,9 @@ def _joined(spec: StructConstructorSpec) -> StructConstructorSpec:
 def _in_words(part: StructFieldSpec) -> StructFieldSpec:
     """An option whose words tell its default, if there is none that can be given."""
     words = _in_one_line(part.helptext)
-    if part.default not in (None, ()):
+    # An array can't be compared with a tuple.
+    empty = isinstance(part.default, tuple) and not part.default
+    if part.default is not None and not empty:
         return replace(part, helptext=words)
     hint = "" if words is not None and "efault: " in words else "(default: none)"
     kind = Annotated[part.type, DisallowNone, arg(help_behavior_hint=hint)]

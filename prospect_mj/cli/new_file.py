@@ -1,9 +1,12 @@
-"""Files that a command is told to write: refused before the work that they take."""
+"""What a command is told to write: refused before the work that it takes."""
 
+import contextlib
 import os
+from collections.abc import Iterator
 from pathlib import Path
 
-from prospect_mj.errors import InvalidValue
+from prospect_mj.errors import InvalidValue, ProspectError
+from prospect_mj.storage import make_folder
 
 
 def check_new_file(what: str, path: Path, suffix: str) -> None:
@@ -28,9 +31,13 @@ def check_new_file(what: str, path: Path, suffix: str) -> None:
         raise InvalidValue(what, str(path), "a file that does not exist")
     if not has_place:
         raise InvalidValue(what, str(path), "a file in a folder that exists")
-    effective = os.access in os.supports_effective_ids
-    if not os.access(path.parent, os.W_OK | os.X_OK, effective_ids=effective):
+    if not _may_be_written(path.parent):
         raise InvalidValue(what, str(path), "a file in a folder that may be written")
+
+
+def _may_be_written(folder: Path) -> bool:
+    effective = os.access in os.supports_effective_ids
+    return os.access(folder, os.W_OK | os.X_OK, effective_ids=effective)
 
 
 def _is_there(path: Path) -> bool:
@@ -40,3 +47,26 @@ def _is_there(path: Path) -> bool:
     except (FileNotFoundError, NotADirectoryError):
         return False
     return True
+
+
+@contextlib.contextmanager
+def new_folder(path: Path) -> Iterator[None]:
+    """Make a folder unless it is there; if nothing comes into it, it goes again.
+
+    Args:
+        path: the folder; those above it are made, and go, with it.
+
+    Raises:
+        ProspectError: if there is a file, or it can't be made or written to.
+    """
+    made = [one for one in (path, *path.parents) if not os.path.exists(one)]
+    try:
+        make_folder(path, ProspectError)
+        if not _may_be_written(path):
+            raise ProspectError(f"{path} can't be written to: Permission denied")
+        yield
+    finally:
+        for one in made:
+            # What has something in it stays.
+            with contextlib.suppress(OSError):
+                one.rmdir()

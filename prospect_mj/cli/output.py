@@ -10,6 +10,7 @@ from typing import Annotated, Any
 
 import numpy as np
 import tyro
+from tqdm import tqdm
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,12 @@ class Output:
         text = as_json(figures) if self.json else words
         if text:
             print(text, flush=True)
+
+
+def say_aside(words: str) -> None:
+    """Tell a person something on stderr, beside a bar that may be there."""
+    tqdm.write(words, file=sys.stderr)
+    sys.stderr.flush()
 
 
 def as_json(figures: object) -> str:

@@ -1,6 +1,5 @@
 """The command line for drawing a run."""
 
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,9 +9,10 @@ import tyro
 
 from prospect_mj.checks import check_integer
 from prospect_mj.cli import command_line
-from prospect_mj.errors import RunFolderError
+from prospect_mj.cli.new_file import new_folder
+from prospect_mj.cli.output import say_aside
 from prospect_mj.sim import gl
-from prospect_mj.storage import make_folder, replace_file
+from prospect_mj.storage import replace_file
 
 _MOST_GRASPS = 1000
 _FOLDER = "plots"
@@ -62,13 +62,8 @@ def _plot(options: PlotOptions) -> None:
     run = RunView.read(options.run)
     run.check_is_run()
     out = options.run / _FOLDER if options.out is None else options.out
-    check_vacant(out, (), "choose another folder with --out")
-    pictures = draw(run, options.grasps, _say)
-    make_folder(out, RunFolderError)
-    for name, content in pictures.items():
-        replace_file(out / name, content)
-        print(out / name)
-
-
-def _say(words: str) -> None:
-    print(words, file=sys.stderr, flush=True)
+    check_vacant(out, "choose another folder with --out")
+    with new_folder(out):
+        for name, content in draw(run, options.grasps, say_aside).items():
+            replace_file(out / name, content)
+            print(out / name)

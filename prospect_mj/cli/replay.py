@@ -2,7 +2,6 @@
 
 import signal
 import sys
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,10 +12,10 @@ from tqdm import tqdm
 
 from prospect_mj.cli import command_line
 from prospect_mj.cli.new_file import check_new_file
+from prospect_mj.cli.output import say_aside
 from prospect_mj.display import require_display
-from prospect_mj.errors import InvalidValue, ProspectError
+from prospect_mj.errors import InvalidValue
 from prospect_mj.sim import gl
-from prospect_mj.storage import make_folder
 
 _SUFFIX = ".rrd"
 
@@ -40,7 +39,8 @@ class ReplayOptions:
     were not solved."""
     save: Path | None = None
     """File to write in place of opening the viewer, NAME.rrd; with --failures a folder.
-    Nothing is overwritten."""
+    Nothing is overwritten; a failure that can't be replayed is left out, with a
+    warning."""
     serve: Annotated[bool, tyro.conf.FlagCreatePairsOff] = False
     """Show it in a browser: the address is printed. Ctrl-C ends it."""
     host: str = "127.0.0.1"
@@ -52,11 +52,10 @@ class ReplayOptions:
         """Refuse more than one choice of the same thing."""
         if self.save is not None and self.serve:
             raise InvalidValue("--serve", True, "none beside --save")
-        if not self.serve and (self.host, self.port) != (_HOST, _PORT):
-            raise InvalidValue("--host or --port", "given", "none without --serve")
-
-
-_HOST, _PORT = ReplayOptions.host, ReplayOptions.port
+        for name in () if self.serve else ("host", "port"):
+            value = getattr(self, name)
+            if value != getattr(ReplayOptions, name):
+                raise InvalidValue(f"--{name}", value, "none without --serve")
 
 
 def main(argv: Sequence[str] | None = None, prog: str = "replay.py") -> int:
@@ -76,25 +75,28 @@ def _replay(options: ReplayOptions) -> None:
     _check_can_show(options)
     gl.require_gl()
     # MuJoCo is not loaded before it is known that it can render.
+    from prospect_mj.cli import replay_files
     from prospect_mj.experiment.watching import replayed
-    from prospect_mj.replay.rerun_export import export
 
     choice = replayed.Choice(options.trial, options.worst, options.failures)
-    names, trials = replayed.of(options.run, choice, _say)
-    with tempfile.TemporaryDirectory(prefix="prospect-replay-") as place:
-        files = _files(options, names, Path(place))
-        several = len(files) > 1
-        bar = tqdm(files, "trials", unit="trial", disable=None if several else True)
-        for path, one in zip(bar, trials, strict=True):
-            export(one.episode, one.story, path)
+    trials = replayed.of(options.run, choice, say_aside)
+    if options.save is None and not options.serve:
+        # What is wrong with the run comes first, and before any of it is simulated.
+        require_display("--save FILE.rrd writes a file, --serve shows it in a browser")
+    place = replay_files.places(options.save, options.failures, list(trials))
+    with place as files:
+        written = replay_files.written(trials, files)
         if options.save is None:
-            _show(options, files)
-        else:
-            print("\n".join(map(str, files)))
+            _show(options, list(written))
+            return
+        for path in written:
+            # At once: it is there, whatever becomes of the others.
+            tqdm.write(str(path))
+            sys.stdout.flush()
 
 
 def _check_can_show(options: ReplayOptions) -> None:
-    """Refuse before anything is simulated what nobody would see in the end."""
+    """Refuse before anything is read what nobody would see in the end."""
     from prospect_mj.replay import viewer
 
     if options.save is not None:
@@ -104,21 +106,6 @@ def _check_can_show(options: ReplayOptions) -> None:
     viewer.program()
     if options.serve:
         viewer.check_port_free(options.host, options.port)
-    else:
-        require_display("--save FILE.rrd writes a file, --serve shows it in a browser")
-
-
-def _files(options: ReplayOptions, names: Sequence[str], place: Path) -> list[Path]:
-    """Where each trial is written."""
-    if options.save is None:
-        return [place / f"{name}{_SUFFIX}" for name in names]
-    if not options.failures:
-        return [options.save]
-    make_folder(options.save, ProspectError)
-    files = [options.save / f"{name}{_SUFFIX}" for name in names]
-    for path in files:
-        check_new_file("--save", path, _SUFFIX)
-    return files
 
 
 def _show(options: ReplayOptions, files: Sequence[Path]) -> None:
@@ -133,15 +120,11 @@ def _show(options: ReplayOptions, files: Sequence[Path]) -> None:
     try:
         viewer.serve(files, options.host, options.port, _tell_address)
     except KeyboardInterrupt:
-        _say("stopped")
+        say_aside("stopped")
     finally:
         signal.signal(signal.SIGTERM, usual)
 
 
 def _tell_address(page: str) -> None:
     print(page, flush=True)
-    _say("open this address in a browser; Ctrl-C ends it")
-
-
-def _say(words: str) -> None:
-    tqdm.write(words, file=sys.stderr)
+    say_aside("open this address in a browser; Ctrl-C ends it")

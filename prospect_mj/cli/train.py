@@ -70,7 +70,8 @@ def main(
     arguments = sys.argv[1:] if argv is None else argv
     return command_line.run(
         lambda: _train(arguments, prog, make_env),
-        interrupted="interrupted: all finished trials are kept",
+        "interrupted: all finished trials are kept",
+        arguments,
     )
 
 

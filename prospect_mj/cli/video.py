@@ -1,6 +1,5 @@
 """The command line for filming a trial of a run."""
 
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,6 +9,7 @@ import tyro
 
 from prospect_mj.cli import command_line
 from prospect_mj.cli.new_file import check_new_file
+from prospect_mj.cli.output import say_aside
 from prospect_mj.sim import gl
 
 
@@ -57,7 +57,7 @@ def main(argv: Sequence[str] | None = None, prog: str = "video.py") -> int:
 
 
 def _film(options: VideoOptions) -> None:
-    check_new_video("out", options.out)
+    check_new_video("OUT.mp4", options.out)
     gl.require_gl()
     # MuJoCo is not loaded before it is known that it can render.
     from prospect_mj.experiment.watching import replayed
@@ -65,10 +65,6 @@ def _film(options: VideoOptions) -> None:
 
     look = VideoSettings(options.width, options.height, captions=options.captions)
     choice = replayed.Choice(options.trial, options.worst)
-    _, trials = replayed.of(options.run, choice, _say)
-    film(next(trials).episode, options.out, look)
+    (fetch,) = replayed.of(options.run, choice, say_aside).values()
+    film(fetch().episode, options.out, look)
     print(options.out)
-
-
-def _say(words: str) -> None:
-    print(words, file=sys.stderr, flush=True)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from prospect_mj.actions.action import Action
 from prospect_mj.cli import command_line
+from prospect_mj.cli.output import say_aside
 from prospect_mj.cli.video import check_new_video
 from prospect_mj.display import require_display
 from prospect_mj.errors import InvalidChoice, InvalidValue
@@ -85,6 +86,7 @@ def _view(options: ViewOptions) -> None:
     if options.video is None:
         require_display("--video FILE.mp4 writes a video in place of opening a window")
     gl.require_gl()
+    say_aside("loading the scene ...")
     # MuJoCo is not loaded before it is known that it can render.
     from prospect_mj.experiment.watching.live_view import in_film, in_window
 

@@ -1,6 +1,6 @@
 """The command line of the study of vision."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -74,15 +74,16 @@ def _study(options: StudyOptions) -> None:
 def _draw(train: Samples, eyes: "tuple[Pinhole, Pinhole]", folder: Path) -> None:
     from prospect_mj.experiment.studies import vision_plots
 
-    pictures = {
-        "vision_looks.png": vision_plots.looks(train),
-        "vision_segmentation.png": vision_plots.segmentation(train, eyes),
-        "vision_histograms.png": vision_plots.histograms(train),
+    pictures: dict[str, Callable[[], bytes]] = {
+        "vision_looks.png": lambda: vision_plots.looks(train),
+        "vision_segmentation.png": lambda: vision_plots.segmentation(train, eyes),
+        "vision_histograms.png": lambda: vision_plots.histograms(train),
     }
     folder.mkdir(parents=True, exist_ok=True)
-    for name, content in pictures.items():
-        (folder / name).write_bytes(content)
-        print(f"wrote {folder / name}")
+    bar = tqdm(pictures.items(), "drawing", unit="picture", disable=None)
+    for name, picture in bar:
+        (folder / name).write_bytes(picture())
+        tqdm.write(f"wrote {folder / name}")
 
 
 def _report(samples: "list[Sample]") -> None:

@@ -198,8 +198,9 @@ class PickPlaceEnv(gymnasium.Env[Observation, int]):
             InvalidChoice: on an unknown option or orientation.
             InvalidValue: on a trial that is no number from 0.
         """
+        told = ResetOptions.read(options)
         super().reset(seed=seed)
-        begun = self._trials.begin(ResetOptions.read(options), self.np_random)
+        begun = self._trials.begin(told, self.np_random)
         if self._screen is not None:
             self._screen.begin()
         return begun

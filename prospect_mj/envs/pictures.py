@@ -6,6 +6,7 @@ robot sees nor what happens to it changes.
 
 import atexit
 import copy
+import weakref
 from typing import Protocol
 
 import mujoco
@@ -13,12 +14,11 @@ import numpy as np
 
 from prospect_mj.closing import Closing
 from prospect_mj.envs.screens import FILM_RATE
+from prospect_mj.episodes.states import rendered
 from prospect_mj.sim import overview
 from prospect_mj.sim.camera import Image
 from prospect_mj.sim.offscreen import OffscreenRenderer
 from prospect_mj.sim.simulation import Simulation
-
-_STATE = mujoco.mjtState.mjSTATE_INTEGRATION
 
 
 class Screen(Protocol):
@@ -84,23 +84,52 @@ class Still(Closing):
         # Not before one is asked for: it holds memory, and much of it.
         if self._renderer is None:
             self._renderer = OffscreenRenderer(self._model, *self._size)
-            # Left to the interpreter's last collection, it fails noisily.
-            atexit.register(self.close)
-        data = mujoco.MjData(self._model)
-        pictures = []
-        for state in states:
-            mujoco.mj_setState(self._model, data, state, _STATE)
-            mujoco.mj_forward(self._model, data)
-            self._renderer.update_scene(data, self._camera)
-            pictures.append(self._renderer.render())
-        return pictures
+            # An environment that nobody closes gives it back when it is no longer used.
+            self._give_back = weakref.finalize(self, self._renderer.close)
+            # Left to the interpreter's last collection, it fails noisily; so it does at
+            # finalize's own end, where that comes after the end of OpenGL.
+            self._give_back.atexit = False
+            atexit.register(self._give_back)
+        return [*rendered(self._renderer, states, self._camera)]
 
     def close(self) -> None:
         """Give the OpenGL context back; closing again does nothing."""
         if self._renderer is not None:
-            self._renderer.close()
+            self._give_back()
+            atexit.unregister(self._give_back)
             self._renderer = None
-        atexit.unregister(self.close)
+
+
+class _Reel:
+    """Keeps the states of a trial as they come.
+
+    Args:
+        simulation: the live physics; its observer is this one's.
+    """
+
+    def __init__(self, simulation: Simulation) -> None:
+        """Begin to watch."""
+        self._simulation, self._clock = simulation, Clock()
+        self._states: list[np.ndarray] = []
+        simulation.observer = self._watch
+
+    def begin(self) -> None:
+        """Forget the trial before."""
+        self._clock.restart(self._simulation.data.time)
+        self._states = [self._simulation.save()]
+
+    def _watch(self, data: mujoco.MjData) -> None:
+        if self._clock.is_due(data.time):
+            self._states.append(self._simulation.save())
+
+    def take(self) -> list[np.ndarray]:
+        """The states since they were taken last, or since the trial began."""
+        states, self._states = self._states, []
+        return states
+
+    def close(self) -> None:
+        """Watch no more."""
+        self._simulation.observer = None
 
 
 class Film(Still):
@@ -114,25 +143,18 @@ class Film(Still):
     def __init__(self, simulation: Simulation, size: tuple[int, int]) -> None:
         """Begin to watch."""
         super().__init__(simulation, size)
-        self._states: list[np.ndarray] = []
-        self._clock = Clock()
-        simulation.observer = self._watch
+        # Not the film itself: who is watched by it would keep it open.
+        self._reel = _Reel(simulation)
 
     def begin(self) -> None:
         """Forget the trial before."""
-        self._clock.restart(self._simulation.data.time)
-        self._states = [self._simulation.save()]
-
-    def _watch(self, data: mujoco.MjData) -> None:
-        if self._clock.is_due(data.time):
-            self._states.append(self._simulation.save())
+        self._reel.begin()
 
     def render(self) -> list[Image]:
         """The pictures since it was asked last, or since the trial began."""
-        states, self._states = self._states, []
-        return self._pictures(states)
+        return self._pictures(self._reel.take())
 
     def close(self) -> None:
         """Watch no more."""
-        self._simulation.observer = None
+        self._reel.close()
         super().close()

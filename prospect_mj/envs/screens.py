@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
 from prospect_mj.checks import check_choice
+from prospect_mj.display import require_display
 from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.errors import InvalidValue
 
@@ -16,12 +17,14 @@ STILL_RATE, FILM_RATE = 1, 25
 """Pictures per second: of a slide show with one picture after each action; of a film
 or a window at real time."""
 
-
 NOTHING = "None on recorded physics, where nothing is simulated"
+_INSTEAD = (
+    "without one render_mode='rgb_array' gives pictures, 'rgb_array_list' whole films"
+)
 
 
 def check_render_mode(mode: object, settings: PickPlaceSettings) -> None:
-    """Refuse a mode that there isn't, or a window that would stay empty.
+    """Refuse a mode that there isn't, or a window that can't be or would stay empty.
 
     Pictures of recorded physics are refused when one is asked for: Stable-Baselines3's
     `make_vec_env` asks every environment for `rgb_array`, whether it renders or not.
@@ -29,10 +32,13 @@ def check_render_mode(mode: object, settings: PickPlaceSettings) -> None:
     Raises:
         InvalidChoice: if there is no such mode.
         InvalidValue: if nothing is simulated that a window could show.
+        NoDisplay: if there is none to open a window on.
     """
     check_choice("render_mode", mode, (None, *RENDER_MODES))
-    if mode == "human" and settings.physics != "live":
-        raise InvalidValue("render_mode", mode, NOTHING)
+    if mode == "human":
+        if settings.physics != "live":
+            raise InvalidValue("render_mode", mode, NOTHING)
+        require_display(_INSTEAD)
 
 
 def metadata(mode: RenderMode | None, settings: PickPlaceSettings) -> dict[str, Any]:
@@ -46,11 +52,12 @@ def metadata(mode: RenderMode | None, settings: PickPlaceSettings) -> dict[str, 
 def make_screen(
     mode: RenderMode, simulation: "Simulation", settings: PickPlaceSettings
 ) -> "Screen":
-    """Open what shows the live scene.
+    """Open what shows the live scene; `check_render_mode` has let it pass.
 
-    Raises:
-        NoDisplay: if there is none to open a window on.
-        RenderingUnavailable: if there is no OpenGL.
+    Args:
+        mode: how it is shown.
+        simulation: the live physics.
+        settings: have the size of a picture.
     """
     size = settings.height, settings.width
     # Nothing of MuJoCo is loaded where nothing is simulated, and no window's library

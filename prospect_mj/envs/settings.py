@@ -18,9 +18,12 @@ Physics = Literal["live", "recorded"]
 Observed = Literal["features", "images"]
 
 _MOST_ACTIONS = 1000
+"""Of a trial that two solve; as many take minutes of live physics."""
 _MOST_RECORDED = int(np.iinfo(np.int8).max)
 """As deep as a recording's table can tell of."""
 _LEAST_PIXELS, _MOST_PIXELS = 32, 1920
+"""Side of a rendered picture: in less nothing can be made out, and more is larger than
+most screens."""
 _KINDS = {"features": FeatureSettings, "presentation": PresentationSettings}
 
 
@@ -118,18 +121,10 @@ class PickPlaceSettings:
         given = cls() if settings is None else settings
         if not isinstance(given, cls):
             raise InvalidValue("settings", given, f"a {cls.__name__}")
-        return given.changed(**changes)
-
-    def changed(self, **changes: Any) -> Self:  # noqa: ANN401
-        """The same settings but for some, given by name.
-
-        Raises:
-            InvalidChoice: if there is no such setting.
-        """
-        names = [setting.name for setting in fields(self)]
+        names = [setting.name for setting in fields(cls)]
         for name in changes:
             check_choice("setting", name, names)
-        return replace(self, **changes)
+        return replace(given, **changes)
 
     @property
     def recorded_as(self) -> RecordingConfig:

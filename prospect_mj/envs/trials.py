@@ -1,4 +1,4 @@
-"""Trials one after the other: what the environment's faces share."""
+"""Trials one after the other, on live physics or on recorded ones."""
 
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 

@@ -1,6 +1,6 @@
 """Many environments on recorded physics, stepped at once with NumPy's arrays."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import partial
 from typing import Any, ClassVar
 
@@ -16,25 +16,33 @@ from prospect_mj.actions.action import Action
 from prospect_mj.checks import check_integer
 from prospect_mj.envs.pick_place import PickPlaceEnv
 from prospect_mj.envs.reset_options import ResetOptions, named_options
-from prospect_mj.envs.screens import NOTHING
+from prospect_mj.envs.screens import NOTHING, RenderMode
 from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.envs.trials import REWARD
+from prospect_mj.envs.vector_arguments import (
+    RESET_MASK,
+    Seeds,
+    checked_actions,
+    checked_mask,
+    checked_mode,
+    spread,
+)
 from prospect_mj.envs.vector_trials import VectorTrials
-from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.errors import InvalidValue
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
-Seeds = int | Sequence[int | None] | None
 
 _MOST = 1_000_000
-RESET_MASK = "reset_mask"
+"""Whose observations fill 2.4 GB."""
 
 
 def make_vector(
     num_envs: int,
     settings: PickPlaceSettings | None = None,
     autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
-    **others: Any,  # noqa: ANN401
+    render_mode: RenderMode | None = None,
+    **changes: Any,  # noqa: ANN401
 ) -> VectorEnv:
     """What `gymnasium.make_vec` makes.
 
@@ -42,20 +50,20 @@ def make_vector(
         num_envs: number of environments.
         settings: all settings; None for the defaults.
         autoreset_mode: when an environment whose trial has ended is reset.
-        others: `render_mode`, and single settings by name.
+        render_mode: how each is shown, in live physics.
+        changes: single settings by name.
 
     Returns:
         On recorded physics, all at once; on live ones, one after the other.
     """
     check_integer("num_envs", num_envs, 1, _MOST)
-    changes = {name: value for name, value in others.items() if name != "render_mode"}
     asked = PickPlaceSettings.of(settings, **changes)
-    mode = _autoreset_mode(autoreset_mode)
+    mode = checked_mode(autoreset_mode)
     if asked.physics == "recorded" and not asked.grow:
-        return RecordedVectorEnv(num_envs, settings, mode, **others)
+        return RecordedVectorEnv(num_envs, asked, mode, render_mode)
     if asked.grow and num_envs > 1:
         raise InvalidValue("num_envs", num_envs, "1, as only one may grow a recording")
-    one = partial(PickPlaceEnv, settings, **others)
+    one = partial(PickPlaceEnv, asked, render_mode)
     return SyncVectorEnv([one] * num_envs, autoreset_mode=mode)
 
 
@@ -104,10 +112,12 @@ class RecordedVectorEnv(VectorEnv[Floats, NDArray[np.integer], NDArray]):
             raise InvalidValue("render_mode", render_mode, NOTHING)
         base = PickPlaceSettings(physics="recorded") if settings is None else settings
         self.settings = PickPlaceSettings.of(base, **changes)
-        if self.settings.physics != "recorded" or self.settings.grow:
-            raise InvalidValue("physics", self.settings.physics, "a recording as it is")
+        if self.settings.physics != "recorded":
+            raise InvalidValue("physics", self.settings.physics, "'recorded'")
+        if self.settings.grow:
+            raise InvalidValue("grow", True, "False: many step a recording as it is")
         self.num_envs = num_envs
-        self._mode = _autoreset_mode(autoreset_mode)
+        self._mode = checked_mode(autoreset_mode)
         self.metadata = self.metadata | {"autoreset_mode": self._mode}
         self._trials = VectorTrials(self.settings, num_envs)
         self.single_observation_space = self._trials.space
@@ -140,11 +150,13 @@ class RecordedVectorEnv(VectorEnv[Floats, NDArray[np.integer], NDArray]):
         Raises:
             InvalidChoice: on an unknown option or orientation.
             InvalidValue: on seeds, a mask or a trial that can't be.
+            gymnasium.error.ClosedEnvironmentError: after `close`.
         """
+        self._check_open()
         given = named_options(options)
-        mask = _checked_mask(given.pop(RESET_MASK, None), self.num_envs)
+        mask = checked_mask(given.pop(RESET_MASK, None), self.num_envs)
         told = ResetOptions.read(given)
-        seeds = _spread(seed, self.num_envs)
+        seeds = spread(seed, self.num_envs)
         which = np.flatnonzero(mask)
         for number in which:
             if seeds[number] is not None:
@@ -163,8 +175,10 @@ class RecordedVectorEnv(VectorEnv[Floats, NDArray[np.integer], NDArray]):
             InvalidValue: if there is not one for each environment.
             gymnasium.error.ResetNeeded: before the first reset; after the end of a
                 trial only if it is to be reset by hand.
+            gymnasium.error.ClosedEnvironmentError: after `close`.
         """
-        chosen = _checked_actions(actions, self.num_envs)
+        self._check_open()
+        chosen = checked_actions(actions, self.num_envs)
         by_hand = self._mode is AutoresetMode.DISABLED and self._ended.any()
         if by_hand or not self._trials.begun.all():
             raise gymnasium.error.ResetNeeded("no trial is under way: call reset")
@@ -190,50 +204,10 @@ class RecordedVectorEnv(VectorEnv[Floats, NDArray[np.integer], NDArray]):
         self._ended = np.zeros(self.num_envs, bool)
         return finals | {f"_{key}": ended.copy() for key in finals}
 
+    def _check_open(self) -> None:
+        if self.closed:
+            raise gymnasium.error.ClosedEnvironmentError("they are closed")
+
     def action_masks(self) -> Flags:
         """The choice sets as booleans (n, 6)."""
         return self._trials.choice_sets().astype(bool)
-
-
-def _autoreset_mode(mode: object) -> AutoresetMode:
-    try:
-        return AutoresetMode(mode)
-    except ValueError as error:
-        valid = [known.value for known in AutoresetMode]
-        raise InvalidChoice("autoreset_mode", mode, valid) from error
-
-
-def _spread(seed: Seeds, n: int) -> Sequence[int | None]:
-    """A seed for each of n environments."""
-    if seed is None:
-        return [None] * n
-    if _is_seed(seed):
-        return [int(seed) + number for number in range(n)]
-    several = isinstance(seed, Sequence | np.ndarray) and len(seed) == n
-    if not several or not all(one is None or _is_seed(one) for one in seed):
-        raise InvalidValue("seed", seed, f"a whole number from 0, or {n} of them")
-    return [None if one is None else int(one) for one in seed]
-
-
-def _is_seed(seed: object) -> bool:
-    whole = isinstance(seed, int | np.integer) and not isinstance(seed, bool)
-    return whole and seed >= 0
-
-
-def _checked_mask(mask: object, n: int) -> Flags:
-    if mask is None:
-        return np.ones(n, bool)
-    flags = np.asarray(mask)
-    if flags.shape != (n,) or flags.dtype != bool or not flags.any():
-        raise InvalidValue(RESET_MASK, mask, f"({n},) of bool, one of them true")
-    return flags
-
-
-def _checked_actions(actions: object, n: int) -> NDArray[np.intp]:
-    chosen = np.asarray(actions)
-    if chosen.shape != (n,) or not np.issubdtype(chosen.dtype, np.integer):
-        raise InvalidValue("actions", actions, f"({n},) of integers")
-    wrong = (chosen < 0) | (chosen >= len(Action))
-    if wrong.any():
-        raise InvalidChoice("action", int(chosen[wrong][0]), range(len(Action)))
-    return chosen.astype(np.intp)

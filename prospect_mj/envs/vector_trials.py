@@ -23,7 +23,8 @@ from prospect_mj.recording.recording import Recording
 
 Indices = NDArray[np.intp]
 
-_HOLDING = np.array([hand_of(hand) or "none" for hand in (NONE, LEFT, RIGHT)], object)
+_NAMES = np.array([hand_of(hand) or "none" for hand in (NONE, LEFT, RIGHT)], object)
+"""Of a hand, or of the side on which the lid lies, by its number."""
 
 
 class VectorTrials:
@@ -96,11 +97,9 @@ class VectorTrials:
             Whether each was terminated (k,) and truncated (k,).
         """
         done = self._batch.execute(which, actions)
-        self._executed[which], self._sim_seconds[which] = (
-            done.executed,
-            done.sim_seconds,
-        )
+        self._executed[which] = done.executed
         self._result[which] = done.result
+        self._sim_seconds[which] = done.sim_seconds
         self._n_actions[which] += 1
         terminated = self._batch.inserted[which]
         cut_off = self._n_actions[which] >= self._max_actions
@@ -122,8 +121,8 @@ class VectorTrials:
         """
         told = {
             "action_mask": self.choice_sets(),
-            "orientation": _HOLDING[self._batch.lid],
-            "holding": _HOLDING[self._batch.holding],
+            "orientation": _NAMES[self._batch.lid],
+            "holding": _NAMES[self._batch.holding],
             "executed": self._executed.copy(),
             "result": self._result.copy(),
             "sim_seconds": self._sim_seconds.copy(),
@@ -139,7 +138,7 @@ def _feature_table(
     generator = StateFeatureGenerator(settings)
     return np.array(
         [
-            [generator.generate(histogram, hand) for hand in _HOLDING]
+            [generator.generate(histogram, hand) for hand in _NAMES]
             for histogram in recording.presentations.histogram
         ]
     )

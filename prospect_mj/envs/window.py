@@ -6,15 +6,10 @@ import time
 import mujoco
 
 from prospect_mj.closing import Closing
-from prospect_mj.display import require_display
 from prospect_mj.envs.pictures import Clock
 from prospect_mj.sim import overview
 from prospect_mj.sim.simulation import Simulation
 from prospect_mj.viewer import Viewer
-
-INSTEAD = (
-    "without one render_mode='rgb_array' gives pictures, 'rgb_array_list' whole films"
-)
 
 
 class Window(Closing):
@@ -28,12 +23,7 @@ class Window(Closing):
     """
 
     def __init__(self, simulation: Simulation, size: tuple[int, int]) -> None:
-        """Open the window.
-
-        Raises:
-            NoDisplay: if there is none to open it on.
-        """
-        require_display(INSTEAD)
+        """Open the window; whether there is a display was asked before."""
         self._simulation = simulation
         self._model = copy.copy(simulation.model)
         self._data = copy.copy(simulation.data)

@@ -106,8 +106,8 @@ def _span(told: dict[str, Any], paths: Any) -> ActionSpan:  # noqa: ANN401
     return ActionSpan(
         name=told["name"],
         outcome=_PLAIN.structure(plain | {"runs": ()}, kind),
-        start=told["start"],
-        end=told["end"],
+        start=float(told["start"]),
+        end=float(told["end"]),
         controllers=_PLAIN.structure(told["controllers"], tuple[ControllerSpan, ...]),
         paths=tuple(
             PlannedPath(p["side"], p["start"], p["end"], next(paths))

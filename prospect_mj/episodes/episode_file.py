@@ -28,6 +28,10 @@ SUFFIX = ".npz"
 _FORMAT = 1
 
 
+class _UnfitArrays(ValueError):
+    """Arrays that are no episode's; the message says which."""
+
+
 def write(path: Path, episode: Episode, origin: str) -> None:
     """Write an episode.
 
@@ -63,8 +67,15 @@ def read(path: Path, origin: str | None = None) -> Episode:
         raise
     # zipfile, zlib, NumPy, JSON and cattrs each have errors of their own for damage.
     except Exception as error:
-        why = str(error) or type(error).__name__
-        raise EpisodeError(f"{path} can't be read as an episode: {why}") from error
+        told = f"{path} can't be read as an episode: {_why(error)}"
+        raise EpisodeError(told) from error
+
+
+def _why(error: Exception) -> str:
+    """What a user can use: NumPy's words are that it may be loaded unsafely."""
+    if isinstance(error, _UnfitArrays):
+        return str(error)
+    return getattr(error, "strerror", None) or "it is damaged, or none"
 
 
 def _arrays(episode: Episode, origin: str) -> dict[str, Any]:
@@ -97,7 +108,7 @@ def _episode(told: dict[str, Any], stored: Any) -> Episode:  # noqa: ANN401
     _check_times("state", states.times, states.rows)
     _check_times("signal", signals.times, signals.measured)
     if not len(states.times):
-        raise ValueError("there is no state in it")
+        raise _UnfitArrays("there is no state in it")
     histogram = _numbers(stored, "histogram", (N_BINS,))
     points = _numbers(stored, "path_points", (None, wam.N_JOINTS))
     return description.episode(told, images, histogram, states, signals, points)
@@ -111,13 +122,13 @@ def _numbers(stored: Any, name: str, shape: tuple[int | None, ...]) -> Any:  # n
         for wanted, found in zip(shape, array.shape, strict=True)
     )
     if not fits or array.dtype.kind not in "fi":
-        raise ValueError(f"its {name} are {array.dtype} of shape {array.shape}")
+        raise _UnfitArrays(f"its {name} are {array.dtype} of shape {array.shape}")
     return array
 
 
 def _check_times(what: str, times: np.ndarray, rows: np.ndarray) -> None:
     if len(times) != len(rows) or not (np.diff(times) > 0).all():
-        raise ValueError(f"its {what} times don't fit")
+        raise _UnfitArrays(f"its {what} times don't fit")
 
 
 def _check(path: Path, told: object, origin: str | None) -> None:

@@ -7,7 +7,6 @@ import numpy as np
 
 from prospect_mj.actions.action import Action, ActionOutcome, PlanOutcome
 from prospect_mj.actions.plan import Plan
-from prospect_mj.checks import check_integer
 from prospect_mj.closing import Closing
 from prospect_mj.control.controller import Controller
 from prospect_mj.episodes.action_trace import ActionTrace, SignalTrace
@@ -23,6 +22,9 @@ from prospect_mj.task.presentation import Orientation, Presentation
 from prospect_mj.task.trial_state import TrialState
 from prospect_mj.vision.look import Look
 
+_STRIDE = 2
+"""Control periods from state to state; signals are kept in every one."""
+
 
 @dataclass(frozen=True, eq=False)
 class Moment:
@@ -33,18 +35,6 @@ class Moment:
     look: LookTaken
 
 
-@dataclass(frozen=True)
-class RecorderSettings:
-    """How much is remembered."""
-
-    stride: int = 2
-    """Control periods from state to state; signals are kept in every one."""
-
-    def __post_init__(self) -> None:
-        """Refuse what makes no film."""
-        check_integer("stride", self.stride, 1, 50)
-
-
 class WatchedTask(Closing):
     """A live task that remembers the trial under way.
 
@@ -52,20 +42,16 @@ class WatchedTask(Closing):
 
     Args:
         task: where everything happens; closed with this one.
-        settings: how much is remembered.
 
     Attributes:
         task: as given.
         supervisor: the task's.
     """
 
-    def __init__(
-        self, task: PickPlaceTask, settings: RecorderSettings | None = None
-    ) -> None:
+    def __init__(self, task: PickPlaceTask) -> None:
         """Begin to watch."""
         self.task = task
         self.supervisor: Supervisor = task.supervisor
-        self._stride = (RecorderSettings() if settings is None else settings).stride
         self._shown: Presentation | None = None
         self._look: LookTaken | None = None
         self._forget()
@@ -188,7 +174,7 @@ class WatchedTask(Closing):
 
     def _watch(self, controllers: Sequence[Controller], reading: Reading) -> None:
         """One control period, before the physics goes on."""
-        if self._periods % self._stride == 0:
+        if self._periods % _STRIDE == 0:
             self._keep_state()
         self._periods += 1
         self._signals.add(self._now, controllers)

@@ -10,9 +10,13 @@ import trimesh
 from prospect_mj.sim.props import Jar
 
 BEVEL = 0.0015
+"""Of base, rim and lid [m]."""
 SECTIONS = 96
+"""Round the jar."""
 ROWS = 340
+"""Of the texture, from end to end [pixels]."""
 BODY, LABEL, LID = (158, 107, 56), (200, 195, 170), (235, 235, 225)
+"""RGB."""
 
 
 def profile(jar: Jar) -> list[tuple[tuple[float, float], tuple[float, float]]]:

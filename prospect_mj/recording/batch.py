@@ -19,7 +19,7 @@ class BatchOutcome(NamedTuple):
     """What the actions of k trials did."""
 
     executed: NDArray[np.bool_]
-    """(k,): whether each was let run."""
+    """(k,): whether each was run: neither refused, nor left for want of a look."""
     result: NDArray[np.object_]
     """(k,) of str: how each ended."""
     sim_seconds: NDArray[np.float64]

@@ -112,11 +112,6 @@ class GrowingRecording(LockedFolder):
         """Trees that are there, complete or not."""
         return len(files.tree_files(self.path))
 
-    @property
-    def presentations(self) -> int:
-        """Of each orientation, up to the last one that is there."""
-        return files.n_presentations(self.path)
-
     def complete(self, extent: Extent) -> Iterator[pa.Table]:
         """The nodes of each tree of an extent that is complete."""
         for orientation in ORIENTATIONS:

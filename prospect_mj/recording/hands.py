@@ -1,10 +1,16 @@
-"""Hands by number; the same numbers stand for the side of the lid."""
+"""Hands by number, and their actions; the numbers stand for the lid's side as well."""
 
+from prospect_mj.actions.action import Action
 from prospect_mj.robot.names import SIDES, Side
 
 NONE, LEFT, RIGHT = 0, 1, 2
 
 NUMBERS: dict[Side, int] = {"left": LEFT, "right": RIGHT}
+
+GRASPS = {LEFT: Action.GRASP_LEFT, RIGHT: Action.GRASP_RIGHT}
+SWAPS = {LEFT: Action.SWAP_LEFT_TO_RIGHT, RIGHT: Action.SWAP_RIGHT_TO_LEFT}
+"""By the hand that gives."""
+INSERTIONS = {LEFT: Action.INSERT_LEFT, RIGHT: Action.INSERT_RIGHT}
 
 
 def number_of(hand: Side | None) -> int:

@@ -3,9 +3,9 @@
 import numpy as np
 
 from prospect_mj.actions.action import Action
-from prospect_mj.recording.config import Extent
 from prospect_mj.recording.growing import GrowingRecording
 from prospect_mj.recording.live_physics import LivePhysics
+from prospect_mj.recording.presenter import GrowingPresenter
 from prospect_mj.recording.tree import Edge, Node, OutcomeTree
 from prospect_mj.recording.trial import RecordedLook, RecordedStep, RecordedTrial
 from prospect_mj.supervisor.predicates import PredicateState
@@ -22,8 +22,7 @@ class LazyTask(RecordedTrial):
         physics: makes what is missing; closed with the task.
 
     Attributes:
-        presentations: of each orientation, that trials draw from: those of a usual
-            recording, or more if there are more in the folder.
+        presenter: draws presentations.
     """
 
     def __init__(
@@ -37,7 +36,7 @@ class LazyTask(RecordedTrial):
         self._recording = recording
         config = recording.key.config
         self._physics = LivePhysics(config) if physics is None else physics
-        self.presentations = max(Extent.presentations, recording.presentations)
+        self.presenter = GrowingPresenter(recording.path)
         self._trees: dict[tuple[Orientation, int], OutcomeTree] = {}
         self._tree: OutcomeTree | None = None
 
@@ -52,7 +51,7 @@ class LazyTask(RecordedTrial):
             FolderInUse: if the folder was closed.
         """
         self._recording.check_open()
-        name = orientation, int(rng.integers(self.presentations))
+        name = orientation, self.presenter.draw(rng)
         if name not in self._trees:
             self._trees[name] = self._recording.tree(*name) or self._planted(*name)
         self._tree, self._node = self._trees[name], 0

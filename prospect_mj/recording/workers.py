@@ -1,11 +1,14 @@
 """Work spread over processes by joblib: local ones, or those of a Ray cluster."""
 
 import os
+import time
 import warnings
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
+from functools import cache
+from threading import Thread
 from typing import Any, Literal, TypeVar, get_args
 
 import joblib
@@ -20,6 +23,8 @@ Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 _MOST_JOBS = 4096
 _MOST_LOCAL_JOBS = max(8, 4 * (os.cpu_count() or 1))
 """More would wait for each other, and each needs some 300 MB."""
+_EVERY = 0.5
+"""Between two looks at the process that started this one [s]."""
 
 _Given = TypeVar("_Given")
 _Made = TypeVar("_Made")
@@ -66,6 +71,7 @@ class Workers:
             ChildProcessError: if a process was lost, or Ray failed.
         """
         returned = "list" if self.backend == "ray" else "generator_unordered"
+        parent = None if self.backend == "ray" else os.getpid()
         with self._backend(), _told_plainly():
             # Processes of other machines can't read what joblib would put on disk.
             parallel = joblib.Parallel(
@@ -73,7 +79,7 @@ class Workers:
             )
             with parallel:
                 yield lambda function, items: parallel(
-                    joblib.delayed(function)(item) for item in items
+                    joblib.delayed(_applied)(function, item, parent) for item in items
                 )
 
     def map(
@@ -95,6 +101,34 @@ class Workers:
         if self.backend == "ray":
             return ray_cluster.connected(self.jobs)
         return joblib.parallel_config("loky")
+
+
+def _applied(
+    function: Callable[[_Given], _Made], item: _Given, parent: int | None
+) -> _Made:
+    if parent is not None:
+        end_with(parent)
+    return function(item)
+
+
+@cache
+def end_with(parent: int) -> None:
+    """Let this process end when that which started it was killed, or if it was.
+
+    It would go on with its work and hold its folders, so that the same command again
+    could not go on.
+
+    Args:
+        parent: the process that started this one, or is this one.
+    """
+    if os.getpid() != parent:
+        Thread(target=_outlive, args=(parent,), daemon=True).start()
+
+
+def _outlive(parent: int) -> None:
+    while os.getppid() == parent:
+        time.sleep(_EVERY)
+    os._exit(1)
 
 
 @contextmanager

@@ -17,15 +17,14 @@ _FLOOR = (2.0, 2.0, 0.005)
 
 def entity(model: mujoco.MjModel, body: int) -> str:
     """The path of a body's entity."""
-    name = model.body(body).name.rstrip("/") or "world"
-    return f"{ROOT}/{name}"
+    return f"{ROOT}/{model.body(body).name.rstrip('/')}"
 
 
 def shapes(model: mujoco.MjModel) -> Iterator[tuple[str, rr.AsComponents]]:
     """Every body's shape, batched by kind, under its entity's path.
 
     Args:
-        model: the scene.
+        model: the scene; no body of it has more than one mesh.
     """
     for body in range(model.nbody):
         geoms = np.flatnonzero(
@@ -61,7 +60,8 @@ def _batch(model: mujoco.MjModel, kind: _GEOM, geoms: list[int]) -> rr.AsCompone
         case _GEOM.mjGEOM_CAPSULE:
             return _capsules(sizes, places, model.geom_quat[geoms], turned | look)
         case _GEOM.mjGEOM_MESH:
-            return _mesh(model, geoms[0])
+            (geom,) = geoms
+            return _mesh(model, geom)
     raise AssertionError(f"the scene has no geoms of kind {kind.name}")
 
 

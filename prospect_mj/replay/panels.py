@@ -3,8 +3,8 @@
 Only what there is something of becomes a curve, and only panels with curves are shown.
 """
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -71,8 +71,8 @@ _MEASURED = (
     _Measured("angle_error", IK_ANGLE, "IK angle error [deg]", np.rad2deg(1)),
     _Measured("way_left", WAY_LEFT, "Way left of the plan [rad]"),
     _Measured("joint_error", JOINT_ERROR, "Joint error [deg]", np.rad2deg(1)),
+    _Measured("contact_force", INSERTION, "Insertion force [N]"),
 )
-_INSERTION = _Measured("contact_force", INSERTION, "Insertion force [N]")
 
 
 def panels(
@@ -86,11 +86,13 @@ def panels(
         q_values: the learner's estimates (a, 6) before each action; None: no learner.
     """
     found = [
-        *(Panel(m.origin, m.title, _of_arms(episode, m)) for m in _MEASURED),
+        *(
+            Panel(one.origin, one.title, _of_arms(episode, one.quantity, one.scale))
+            for one in _MEASURED
+        ),
         Panel(RESIDUAL, "Grasp residual [1]", _residual(episode, frames)),
         Panel(FINGERTIPS, "Fingertip force [N]", _fingertips(frames)),
         Panel(WRIST, "Wrist force [N]", _wrist(episode, frames)),
-        Panel(_INSERTION.origin, _INSERTION.title, _of_arms(episode, _INSERTION)),
     ]
     if q_values is not None:
         found.append(Panel(Q_VALUES, "Q-values", tuple(_values(episode, q_values))))
@@ -101,17 +103,20 @@ def _filled(curves: Iterator[Curve]) -> tuple[Curve, ...]:
     return tuple(curve for curve in curves if not curve.is_empty)
 
 
-def _of_arms(
-    episode: Episode, what: _Measured, name: str = "{}", dots: bool = False
-) -> tuple[Curve, ...]:
-    """What the controllers of each arm measured of one quantity."""
+def _of_arms(episode: Episode, quantity: str, scale: float = 1.0) -> tuple[Curve, ...]:
+    """What the controllers of each arm measured of one quantity, scaled."""
     times = episode.signals.times - episode.states.times[0]
-    number = QUANTITIES.index(what.quantity)
-    measured = what.scale * episode.signals.measured[:, :, number].astype(np.float64)
+    measured = episode.signals.measured[:, :, QUANTITIES.index(quantity)]
+    values = scale * measured.astype(np.float64)
     return _filled(
-        Curve(name.format(side), colours.ARMS[side], times, measured[:, arm], dots=dots)
+        Curve(side, colours.ARMS[side], times, values[:, arm])
         for arm, side in enumerate(SIDES)
     )
+
+
+def _dots(curves: Iterable[Curve], name: str) -> tuple[Curve, ...]:
+    """The same as dots, which are named beside the arm."""
+    return tuple(replace(c, name=f"{c.name} {name}", dots=True) for c in curves)
 
 
 def _per_arm(frames: Frames, values: NDArray[np.float64]) -> tuple[Curve, ...]:
@@ -124,9 +129,8 @@ def _per_arm(frames: Frames, values: NDArray[np.float64]) -> tuple[Curve, ...]:
 
 def _residual(episode: Episode, frames: Frames) -> tuple[Curve, ...]:
     """That of all contacts, and as dots what the grasp controllers judged by."""
-    judged = _Measured("residual", RESIDUAL, "")
-    dots = _of_arms(episode, judged, name="{} probe", dots=True)
-    return (*_per_arm(frames, frames.residuals), *dots)
+    judged = _dots(_of_arms(episode, "residual"), "probe")
+    return (*_per_arm(frames, frames.residuals), *judged)
 
 
 def _fingertips(frames: Frames) -> tuple[Curve, ...]:
@@ -136,9 +140,7 @@ def _fingertips(frames: Frames) -> tuple[Curve, ...]:
 
 def _wrist(episode: Episode, frames: Frames) -> tuple[Curve, ...]:
     """Its norm, and as dots the vertical part of it that was weighed."""
-    weighed = _of_arms(
-        episode, _Measured("load", WRIST, ""), name="{} weighing", dots=True
-    )
+    weighed = _dots(_of_arms(episode, "load"), "weighing")
     return (*_per_arm(frames, frames.wrist_forces), *weighed)
 
 

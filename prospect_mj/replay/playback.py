@@ -12,13 +12,12 @@ from numpy.typing import NDArray
 
 from prospect_mj.control.contact_residual import contact_residual
 from prospect_mj.episodes.episode import Episode, PlannedPath
+from prospect_mj.episodes.states import STATE
 from prospect_mj.errors import EpisodeError
 from prospect_mj.robot import names
 from prospect_mj.robot.names import SIDES
 from prospect_mj.robot.torso import Torso, Touch
 from prospect_mj.sim.scene import compile_scene
-
-_STATE = mujoco.mjtState.mjSTATE_INTEGRATION
 
 
 class Contacts(NamedTuple):
@@ -57,7 +56,7 @@ def model_of(episode: Episode) -> mujoco.MjModel:
         EpisodeError: if its states are not those of the scene as it is today.
     """
     model = compile_scene(episode.scene)
-    wanted, found = mujoco.mj_stateSize(model, _STATE), episode.states.rows.shape[1]
+    wanted, found = mujoco.mj_stateSize(model, STATE), episode.states.rows.shape[1]
     if wanted != found:
         raise EpisodeError(
             f"the episode's states have {found} numbers, those of the present model "
@@ -78,7 +77,7 @@ def play(episode: Episode, model: mujoco.MjModel) -> Frames:
     torso, jar = Torso(model, data), model.body("jar/").id
     poses, wrists, touches, residuals, contacts = [], [], [], [], []
     for row in episode.states.rows:
-        mujoco.mj_setState(model, data, row, _STATE)
+        mujoco.mj_setState(model, data, row, STATE)
         mujoco.mj_forward(model, data)
         reading = torso.read()
         poses.append((data.xpos.copy(), data.xquat.copy()))
@@ -127,7 +126,7 @@ def _contacts(model: mujoco.MjModel, data: mujoco.MjData, jar: int) -> Contacts:
             continue
         wrench = np.empty(6)
         mujoco.mj_contactForce(model, data, number, wrench)
-        # It is that of the second geom's body on the other, along the first axis.
+        # It is what the second geom's body feels; the normal is the first axis.
         force = contact.frame.reshape(3, 3).T @ wrench[:3]
         positions.append(contact.pos.copy())
         forces.append(force if bodies[1] == jar else -force)

@@ -1,13 +1,15 @@
 """An episode as a Rerun recording: static things once, all that changes in columns."""
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
 import mujoco
 import numpy as np
 import rerun as rr
+import rerun.blueprint as rrb
 
 from prospect_mj.episodes.episode import Episode
 from prospect_mj.replay import rerun_scene, rerun_story
@@ -16,7 +18,7 @@ from prospect_mj.replay.panels import panels
 from prospect_mj.replay.playback import Frames, model_of, play
 from prospect_mj.replay.rerun_signals import log_panels
 from prospect_mj.sim import overview
-from prospect_mj.storage import temporary
+from prospect_mj.storage import replace_file
 
 APPLICATION = "prospect_mj"
 _NEVER = 1e5
@@ -62,6 +64,7 @@ def export(episode: Episode, story: Story, path: Path) -> None:
 
     Raises:
         EpisodeError: if it can't be played back.
+        OSError: if the file can't be written.
     """
     model = model_of(episode)
     frames = play(episode, model)
@@ -75,19 +78,27 @@ def export(episode: Episode, story: Story, path: Path) -> None:
     # Wall-clock times would differ between two exports of the same.
     stream.set_log_time_enabled(False)
     stream.set_log_tick_enabled(False)
-    unfinished = temporary(path)
-    try:
-        layout = blueprint(story.title, shown, float(frames.times[-1]))
-        stream.save(unfinished, default_blueprint=layout)
+    layout = blueprint(story.title, shown, float(frames.times[-1]))
+    with _in_memory(stream, layout) as written:
         stream.send_recording_name(story.title)
         _log_scene(stream, model, frames, episode)
         log_panels(stream, shown)
         _log_story(stream, episode, story)
-        stream.flush()
-        stream.disconnect()
-        unfinished.replace(path)
+        content = written.drain_as_bytes()
+    replace_file(path, content)
+
+
+@contextmanager
+def _in_memory(
+    stream: rr.RecordingStream, layout: rrb.Blueprint
+) -> Iterator[rr.MemoryRecording]:
+    """What is logged; the stream's own writer waits for ever where a disk is full."""
+    try:
+        written = stream.memory_recording()
+        stream.send_blueprint(layout, make_active=False)
+        yield written
     finally:
-        unfinished.unlink(missing_ok=True)
+        stream.disconnect()
 
 
 def _log_scene(

@@ -7,7 +7,7 @@ import rerun as rr
 from prospect_mj.episodes.episode import Episode
 from prospect_mj.replay import colours, geometry
 from prospect_mj.replay.playback import Frames, hand_path
-from prospect_mj.replay.timeline import column
+from prospect_mj.replay.timeline import changes, column
 from prospect_mj.robot.names import SIDES
 
 ROOT = geometry.ROOT
@@ -66,18 +66,16 @@ def log_paths(
     start = episode.states.times[0]
     for side in SIDES:
         paths = [p for span in episode.actions for p in span.paths if p.side == side]
-        if not paths:
+        told = [*changes(paths)]
+        if not told:
             continue
-        times, strips = [], []
-        for number, path in enumerate(paths):
-            times.append(path.start - start)
-            strips.append([hand_path(model, path)])
-            last = number + 1 == len(paths)
-            if last or paths[number + 1].start > path.end + 1e-6:
-                times.append(path.end - start)
-                strips.append([])
-        lengths = [len(strip) for strip in strips]
-        lines = rr.LineStrips3D.columns(strips=[s for strip in strips for s in strip])
-        stream.send_columns(f"{PLAN}/{side}", [column(times)], lines.partition(lengths))
+        times, shown = zip(*told, strict=True)
+        lines = rr.LineStrips3D.columns(
+            strips=[hand_path(model, paths[n]) for n in shown if n is not None]
+        )
+        # A row with no line ends what was shown before.
+        rows = lines.partition([int(number is not None) for number in shown])
+        at = column(np.array(times) - start)
+        stream.send_columns(f"{PLAN}/{side}", [at], rows)
         look = rr.LineStrips3D.from_fields(colors=[colours.ARMS[side]], radii=[0.004])
         stream.log(f"{PLAN}/{side}", look, static=True)

@@ -4,13 +4,14 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
+import numpy as np
 import rerun as rr
 
 from prospect_mj.control.result import Status
 from prospect_mj.episodes.episode import ActionSpan, ControllerSpan, Episode
 from prospect_mj.replay import colours
 from prospect_mj.replay.colours import Colour
-from prospect_mj.replay.timeline import column
+from prospect_mj.replay.timeline import changes, column
 from prospect_mj.robot.names import EYES, SIDES
 
 IMAGES, HISTOGRAM, LOG = "look/images", "look/histogram", "log"
@@ -86,19 +87,14 @@ def _log_lane(
     stream: rr.RecordingStream, path: str, stretches: Sequence[_Stretch], start: float
 ) -> None:
     """A lane of what ran when, with gaps."""
-    if not stretches:
+    told = [*changes(stretches)]
+    if not told:
         return
-    ordered = sorted(stretches, key=lambda stretch: stretch.start)
-    times, states = [], []
-    for number, stretch in enumerate(ordered):
-        times.append(stretch.start - start)
-        states.append(stretch.words)
-        following = ordered[number + 1].start if number + 1 < len(ordered) else None
-        if following is None or following > stretch.end + 1e-6:
-            times.append(stretch.end - start)
-            states.append("")
-    stream.send_columns(path, [column(times)], rr.StateChange.columns(state=states))
-    looks = {stretch.words: stretch.colour for stretch in ordered}
+    times, shown = zip(*told, strict=True)
+    states = ["" if number is None else stretches[number].words for number in shown]
+    at = column(np.array(times) - start)
+    stream.send_columns(path, [at], rr.StateChange.columns(state=states))
+    looks = {stretch.words: stretch.colour for stretch in stretches}
     look = rr.StateConfiguration(values=[*looks], colors=[*looks.values()])
     stream.log(path, look, static=True)
 

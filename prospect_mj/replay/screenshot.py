@@ -4,6 +4,7 @@ import subprocess
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import TypeVar
 
 from rerun.experimental import ViewerClient
 
@@ -14,6 +15,8 @@ _PATIENCE, _POLL = 60.0, 0.25
 """For the viewer to answer, and for its picture to come to rest [s]."""
 _REST = 1.0
 """Between two pictures that are to be the same [s]."""
+
+_Answer = TypeVar("_Answer")
 
 
 def photograph(file: Path, png: Path, seconds: float = 0.0) -> None:
@@ -37,7 +40,9 @@ def photograph(file: Path, png: Path, seconds: float = 0.0) -> None:
         env=quiet(),
     ) as process:
         try:
-            client = ViewerClient(f"rerun+http://{HOST}:{port}/proxy")
+            client = _insist(
+                process, lambda: ViewerClient(f"rerun+http://{HOST}:{port}/proxy")
+            )
             for ask in (
                 client.get_state,
                 lambda: client.open(str(file.resolve())),
@@ -47,13 +52,13 @@ def photograph(file: Path, png: Path, seconds: float = 0.0) -> None:
             ):
                 _insist(process, ask)
             _save_at_rest(process, client, png)
-        except ConnectionError as error:
+        except (ConnectionError, TimeoutError) as error:
             raise ChildProcessError(_why_gone(process, error)) from error
         finally:
             process.kill()
 
 
-def _why_gone(process: "subprocess.Popen[str]", error: ConnectionError) -> str:
+def _why_gone(process: "subprocess.Popen[str]", error: OSError) -> str:
     """Why a viewer answers no more: it dies of what it says last."""
     try:
         _, said = process.communicate(timeout=_REST)
@@ -62,13 +67,12 @@ def _why_gone(process: "subprocess.Popen[str]", error: ConnectionError) -> str:
     return failure(process.returncode, said)
 
 
-def _insist(process: "subprocess.Popen[str]", ask: Callable[[], object]) -> None:
+def _insist(process: "subprocess.Popen[str]", ask: Callable[[], _Answer]) -> _Answer:
     """Ask again while a viewer that lives does not answer, as on a busy machine."""
     end = time.monotonic() + _PATIENCE
     while True:
         try:
-            ask()
-            return
+            return ask()
         except (ConnectionError, TimeoutError):
             if process.poll() is not None or time.monotonic() > end:
                 raise

@@ -14,6 +14,7 @@ from tqdm import tqdm
 
 from prospect_mj.checks import check_integer
 from prospect_mj.episodes.episode import Episode
+from prospect_mj.episodes.states import rendered
 from prospect_mj.errors import InvalidValue, MissingEncoder
 from prospect_mj.replay import eye
 from prospect_mj.replay.playback import model_of
@@ -22,7 +23,6 @@ from prospect_mj.sim.camera import Image
 from prospect_mj.sim.offscreen import OffscreenRenderer
 from prospect_mj.storage import temporary
 
-_STATE = mujoco.mjtState.mjSTATE_INTEGRATION
 _FONT, _SIZE, _INK = cv2.FONT_HERSHEY_SIMPLEX, 0.5, (255, 255, 255)
 _LINE, _MARGIN = 22, 12
 """[pixels]"""
@@ -69,10 +69,12 @@ def film(episode: Episode, path: Path, settings: VideoSettings | None = None) ->
     settings = VideoSettings() if settings is None else settings
     unfinished = temporary(path).with_suffix(".mp4")
     times = moments(episode, settings.rate)
+    # First, as it may refuse: ffmpeg would complain of a film without pictures.
+    shown = pictures(episode, times, settings)
     bar = tqdm(total=len(times), desc="film", unit="picture", disable=None)
     try:
         with bar, closing(_writer(unfinished, settings)) as writer:
-            for picture in pictures(episode, times, settings):
+            for picture in shown:
                 writer.send(np.ascontiguousarray(picture))
                 bar.update()
         unfinished.replace(path)
@@ -95,20 +97,24 @@ def pictures(
     Raises:
         EpisodeError: if the episode can't be played back.
     """
-    model, size = model_of(episode), (settings.height, settings.width)
+    return _rendered(model_of(episode), episode, times, settings)
+
+
+def _rendered(
+    model: mujoco.MjModel,
+    episode: Episode,
+    times: NDArray[np.float64],
+    settings: VideoSettings,
+) -> Iterator[Image]:
+    size = settings.height, settings.width
     overview.light_for_people(model, size)
     # Shadows speckle the arms, and take two thirds of the time.
     model.vis.quality.shadowsize = 0
-    data = mujoco.MjData(model)
-    camera = eye.camera()
     states = episode.states
+    rows = states.rows[np.searchsorted(states.times, times + 1e-9) - 1]
     with OffscreenRenderer(model, *size) as renderer:
-        for now in times:
-            row = states.rows[np.searchsorted(states.times, now + 1e-9) - 1]
-            mujoco.mj_setState(model, data, row, _STATE)
-            mujoco.mj_forward(model, data)
-            renderer.update_scene(data, camera)
-            picture = renderer.render()
+        shown = rendered(renderer, rows, eye.camera())
+        for now, picture in zip(times, shown, strict=True):
             yield _captioned(picture, episode, now) if settings.captions else picture
 
 

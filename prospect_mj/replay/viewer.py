@@ -13,7 +13,6 @@ import sys
 import time
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from urllib.error import URLError
 from urllib.parse import quote
 from urllib.request import urlopen
 
@@ -78,9 +77,9 @@ def serve(
     command = _command("--serve-web", *options, *files)
     with subprocess.Popen(command, env=quiet(), **_CAPTURED) as server:
         try:
-            _wait_for(server, f"http://{host}:{port}")
-            data = quote(f"rerun+http://{name}:{port + 1}/proxy", safe="")
-            ready(f"http://{name}:{port}/?url={data}")
+            if _answers(server, f"http://{host}:{port}"):
+                data = quote(f"rerun+http://{name}:{port + 1}/proxy", safe="")
+                ready(f"http://{name}:{port}/?url={data}")
             _, said = server.communicate()
             raise ChildProcessError(failure(server.returncode, said))
         finally:
@@ -141,16 +140,24 @@ def quiet() -> dict[str, str]:
     return {"RUST_LOG": "error", **os.environ}
 
 
-def _wait_for(server: "subprocess.Popen[str]", page: str) -> None:
+def _answers(server: "subprocess.Popen[str]", page: str) -> bool:
+    """Wait until the page is there; false if the server has ended before.
+
+    Raises:
+        ChildProcessError: if it runs and does not answer.
+    """
     end = time.monotonic() + _PATIENCE
-    while server.poll() is None and time.monotonic() < end:
+    while server.poll() is None:
+        if time.monotonic() > end:
+            raise ChildProcessError(
+                f"Rerun's server did not answer in {_PATIENCE:.0f} s"
+            )
         try:
             with urlopen(page, timeout=_PATIENCE):
-                return
-        except (URLError, OSError):
+                return True
+        except OSError:
             time.sleep(_POLL)
-    if server.poll() is None:
-        raise ChildProcessError(f"Rerun's server did not answer in {_PATIENCE:.0f} s")
+    return False
 
 
 def failure(code: int, said: str) -> str:

@@ -18,6 +18,9 @@ from prospect_mj.episodes.episode import (
 from prospect_mj.robot.names import SIDES, Side, checked_side
 from prospect_mj.skills.sensors import Sensors, Trajectory
 
+_UNTRIED = (ActionResult.NOT_ALLOWED, ActionResult.NOT_SEEN)
+"""Results after which nothing has moved."""
+
 _Part = TypeVar("_Part", ControllerSpan, PlannedPath)
 
 
@@ -93,7 +96,7 @@ def skill_run(
     return SkillRun(
         name=span.name,
         result=outcome.result,
-        executed=getattr(outcome, "executed", True),
+        executed=outcome.result not in _UNTRIED,
         sim_seconds=outcome.sim_seconds,
         sensors=sensors,
         trajectory=trajectory,
@@ -106,5 +109,6 @@ def skill_run(
 
 def _since(begin: float, part: _Part) -> _Part:
     """The same part with its times counted from `begin` [s]."""
+    # Sums of many time steps are not exact to the last digits.
     start, end = np.round([part.start - begin, part.end - begin], 9)
     return replace(part, start=float(start), end=float(end))

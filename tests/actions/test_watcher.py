@@ -87,7 +87,9 @@ def test_a_reach_follows_a_plan_whose_rest_becomes_shorter(watched):
 
 def test_a_motion_tells_an_error_that_falls_below_its_tolerance(watched):
     observer, *_ = watched
-    for motion in observer.of("FineMotion"):
+    motions = observer.of("FineMotion")
+    assert motions
+    for motion in motions:
         errors = observer.values(motion, "position_error")
         assert len(errors) == len(observer.measured[id(motion)])
         assert errors[-1] < motion.DEFAULTS.position_tolerance + 1e-9 or (

@@ -3,19 +3,15 @@
 import hashlib
 import subprocess
 import sys
-import warnings
 
 import gymnasium
 import mujoco
 import numpy as np
 import pytest
-from gymnasium.utils.env_checker import check_env
 
 import prospect_mj  # noqa: F401  (registers the environment)
 from prospect_mj.actions.action import ActionResult
 from prospect_mj.envs.pick_place import PickPlaceEnv
-from prospect_mj.envs.settings import PickPlaceSettings
-from prospect_mj.errors import InvalidChoice, InvalidValue
 
 pytestmark = pytest.mark.gl
 ENV_ID = "prospect_mj/PickPlace-v0"
@@ -62,15 +58,9 @@ def rollout(env, seed, n=6):
     return digest.hexdigest()
 
 
-def test_gymnasiums_own_check_finds_nothing():
-    made = gymnasium.make(ENV_ID)
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            # That of every render mode is in test_rendering.py.
-            check_env(made.unwrapped, skip_render_check=True)
-    finally:
-        made.close()
+def test_gymnasiums_own_check_finds_nothing(gymnasiums_check):
+    # That of every render mode is in test_rendering.py.
+    gymnasiums_check(skip_render_check=True)
 
 
 def test_spaces(env):
@@ -149,63 +139,6 @@ def test_an_action_that_may_not_run_costs_one_and_changes_nothing(env):
     assert env.unwrapped.data.time == time
 
 
-@pytest.mark.parametrize(
-    ("mode", "mask"),
-    [("none", (1,) * 6), ("safe", (1,) * 6), ("productive", (1, 1, 0, 0, 0, 0))],
-)
-def test_the_action_mask_is_the_choice_set_of_the_mode(mode, mask):
-    settings = PickPlaceSettings(physics="recorded", supervisor=mode)
-    env = gymnasium.make(ENV_ID, settings=settings)
-    try:
-        _, info = env.reset(seed=0)
-        assert info["action_mask"].dtype == np.int8
-        assert tuple(info["action_mask"]) == mask
-        booleans = env.get_wrapper_attr("action_masks")()
-        assert booleans.dtype == bool
-        assert np.array_equal(booleans, info["action_mask"])
-        with pytest.raises(AttributeError):
-            env.action_masks()  # Gymnasium's wrappers hand nothing through.
-        env.action_space.seed(0)
-        assert mask[env.action_space.sample(mask=info["action_mask"])]
-    finally:
-        env.close()
-
-
-def test_the_choice_set_follows_the_state_and_is_the_supervisors():
-    settings = PickPlaceSettings(physics="recorded", supervisor="safe")
-    env = gymnasium.make(ENV_ID, settings=settings).unwrapped
-    try:
-        _, info = env.reset(seed=1, options={"orientation": "left"})
-        for action in (0, 2, 5):
-            expected = env.task.supervisor.choice_set(env.task.predicates, 0)
-            assert np.array_equal(info["action_mask"], expected)
-            assert np.array_equal(env.action_masks(), expected.astype(bool))
-            *_, info = env.step(action)
-            if action == 0:
-                assert tuple(info["action_mask"]) == (0, 0, 1, 1, 1, 1)
-    finally:
-        env.close()
-
-
-def test_shaping_is_lifted_by_the_trials_number_told_or_counted():
-    settings = PickPlaceSettings(physics="recorded", shaping=("insert-left:2",))
-    env = gymnasium.make(ENV_ID, settings=settings).unwrapped
-
-    def offered(**options):
-        _, info = env.reset(seed=0, options=options)
-        return bool(info["action_mask"][4])
-
-    try:
-        assert [offered() for _ in range(4)] == [False, False, True, True]
-        assert not offered(trial=1)
-        assert offered()  # one more than the trial before
-        assert not offered(trial=np.int64(0), orientation="left")
-        *_, info = env.step(0)
-        assert tuple(info["action_mask"]) == (1, 1, 1, 1, 0, 1)
-    finally:
-        env.close()
-
-
 @pytest.fixture(scope="module")
 def rolled(env):
     return rollout(env, seed=21)
@@ -271,56 +204,6 @@ def test_the_state_is_part_of_what_is_observed(env):
     assert np.array_equal(held[100:200], histogram)
     assert not held[200:300].any()
     assert tuple(held[300:]) == (1, 0, 1)
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ({"orientation": "up"}, "orientation is 'up'; valid: left, right"),
-        ({"orientation": None}, "orientation is None; valid: left, right"),
-        ({"lid": "left"}, "reset option is 'lid'; valid: orientation, trial"),
-        ({"trial": -1}, "trial is -1; expected a whole number from 0"),
-        ({"trial": 1.0}, "trial is 1.0; expected a whole number from 0"),
-        ({"trial": True}, "trial is True"),
-        (["orientation"], "options is .'orientation'.; expected a dictionary"),
-    ],
-)
-def test_bad_reset_options_are_refused_with_the_good_ones(env, options, message):
-    with pytest.raises((InvalidChoice, InvalidValue), match=message):
-        env.reset(options=options)
-
-
-@pytest.mark.parametrize("action", [-1, 6, 2.5, "grasp", None])
-def test_bad_actions_are_refused_with_the_good_ones(env, action):
-    env.reset(seed=0)
-    with pytest.raises(InvalidChoice, match=r"valid: 0, 1, 2, 3, 4, 5"):
-        env.unwrapped.step(action)
-
-
-def test_step_before_reset_is_an_error():
-    env = PickPlaceEnv()
-    try:
-        with pytest.raises(gymnasium.error.ResetNeeded):
-            env.step(0)
-    finally:
-        env.close()
-
-
-def test_bad_modes_and_schedules_are_refused_before_anything_is_built():
-    with pytest.raises(InvalidChoice, match="valid: none, safe, productive"):
-        PickPlaceSettings(supervisor="strict")
-    with pytest.raises(InvalidChoice, match="action in shaping is 'push'"):
-        PickPlaceSettings(shaping=("push:3",))
-    with pytest.raises(InvalidValue, match="something to choose"):
-        PickPlaceSettings(
-            supervisor="productive", shaping=("grasp-left:1", "grasp-right:1")
-        )
-
-
-@pytest.mark.parametrize("bad", [0, -1, 10**6])
-def test_absurd_lengths_of_a_trial_are_refused(bad):
-    with pytest.raises(InvalidValue, match="max_actions"):
-        PickPlaceSettings(max_actions=bad)
 
 
 def test_model_and_data_are_the_live_ones(env):

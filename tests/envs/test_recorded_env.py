@@ -2,13 +2,12 @@
 
 import subprocess
 import sys
-import warnings
+from dataclasses import replace
 from pathlib import Path
 
 import gymnasium
 import numpy as np
 import pytest
-from gymnasium.utils.env_checker import check_env
 from ideal_grower import SECONDS, grown_tree
 
 import prospect_mj  # noqa: F401  (registers the environment)
@@ -58,11 +57,8 @@ def follow(env, lid, actions, seed=0):
     return infos
 
 
-def test_gymnasiums_own_check_finds_nothing():
-    made = gymnasium.make(ENV_ID, physics="recorded")
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        check_env(made.unwrapped)
+def test_gymnasiums_own_check_finds_nothing(gymnasiums_check):
+    gymnasiums_check(physics="recorded")
 
 
 @pytest.mark.parametrize("lid", ORIENTATIONS)
@@ -256,6 +252,65 @@ def test_what_can_not_be_is_refused(changes, error, words):
         PickPlaceEnv(**changes)
 
 
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"orientation": "up"}, "orientation is 'up'; valid: left, right"),
+        ({"orientation": None}, "orientation is None; valid: left, right"),
+        ({"lid": "left"}, "reset option is 'lid'; valid: orientation, trial"),
+        ({"trial": -1}, "trial is -1; expected a whole number from 0"),
+        ({"trial": 1.0}, "trial is 1.0; expected a whole number from 0"),
+        ({"trial": True}, "trial is True"),
+        (["orientation"], "options is .'orientation'.; expected a dictionary"),
+    ],
+)
+def test_bad_reset_options_are_refused_with_the_good_ones(env, options, message):
+    with pytest.raises((InvalidChoice, InvalidValue), match=message):
+        env.reset(options=options)
+
+
+def test_a_reset_that_is_refused_draws_nothing():
+    refused, other = (PickPlaceEnv(physics="recorded") for _ in range(2))
+    for env in (refused, other):
+        env.reset(seed=1)
+    with pytest.raises(InvalidChoice):
+        refused.reset(seed=2, options={"lid": "left"})
+    assert np.array_equal(refused.reset()[0], other.reset()[0])
+
+
+@pytest.mark.parametrize("action", [-1, 6, 2.5, "grasp", None])
+def test_bad_actions_are_refused_with_the_good_ones(env, action):
+    env.reset(seed=0)
+    with pytest.raises(InvalidChoice, match=r"valid: 0, 1, 2, 3, 4, 5"):
+        env.unwrapped.step(action)
+
+
+def test_step_before_reset_is_an_error():
+    env = PickPlaceEnv(physics="recorded")
+    try:
+        with pytest.raises(gymnasium.error.ResetNeeded):
+            env.step(0)
+    finally:
+        env.close()
+
+
+def test_bad_modes_and_schedules_are_refused_before_anything_is_built():
+    with pytest.raises(InvalidChoice, match="valid: none, safe, productive"):
+        PickPlaceSettings(supervisor="strict")
+    with pytest.raises(InvalidChoice, match="action in shaping is 'push'"):
+        PickPlaceSettings(shaping=("push:3",))
+    with pytest.raises(InvalidValue, match="something to choose"):
+        PickPlaceSettings(
+            supervisor="productive", shaping=("grasp-left:1", "grasp-right:1")
+        )
+
+
+@pytest.mark.parametrize("bad", [0, -1, 10**6])
+def test_absurd_lengths_of_a_trial_are_refused(bad):
+    with pytest.raises(InvalidValue, match="max_actions"):
+        PickPlaceSettings(max_actions=bad)
+
+
 def half_grown(folder, **settings):
     """One presentation of each side, complete to three and to two actions."""
     config = RecordingConfig(**settings)
@@ -300,6 +355,6 @@ def test_a_number_of_numpys_is_one():
 def test_settings_can_be_given_whole_and_by_name():
     settings = PickPlaceSettings(physics="recorded", supervisor="safe")
     env = PickPlaceEnv(settings, supervisor="productive")
-    assert env.settings == settings.changed(supervisor="productive")
+    assert env.settings == replace(settings, supervisor="productive")
     _, info = env.reset(seed=0)
     assert info["action_mask"].tolist() == [1, 1, 0, 0, 0, 0]

@@ -1,18 +1,18 @@
 """Rendering shows what happens, and changes nothing of it."""
 
 import contextlib
+import gc
 import hashlib
 import itertools
 import subprocess
 import sys
-import warnings
+import weakref
 
 import gymnasium
 import mujoco
 import mujoco.viewer
 import numpy as np
 import pytest
-from gymnasium.utils.env_checker import check_env
 
 import prospect_mj  # noqa: F401  (registers the environment)
 from prospect_mj import display
@@ -167,23 +167,36 @@ def test_a_window_follows_an_action_until_it_is_closed(windows):
         env.close()
 
 
-def test_gymnasiums_own_check_finds_nothing_in_any_mode(windows):
-    made = gymnasium.make(ENV_ID, **SIZE)
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            check_env(made.unwrapped)
-    finally:
-        made.close()
+def test_gymnasiums_own_check_finds_nothing_in_any_mode(windows, gymnasiums_check):
+    gymnasiums_check(**SIZE)
     assert len(windows) == 1
 
 
-def test_without_a_display_a_window_says_what_to_do_instead(monkeypatch):
+def test_without_a_display_a_window_is_refused_before_anything_is_made(monkeypatch):
     for name in ("DISPLAY", "WAYLAND_DISPLAY"):
         monkeypatch.delenv(name, raising=False)
+    made = []
+    monkeypatch.setattr("prospect_mj.envs.pick_place.Trials", made.append)
     with pytest.raises(NoDisplay, match="rgb_array") as raised:
         PickPlaceEnv(render_mode="human")
     assert "\n" not in str(raised.value)
+    assert made == []
+
+
+@pytest.mark.parametrize("mode", ["rgb_array", "rgb_array_list"])
+def test_what_nobody_closes_is_given_back_when_it_is_no_longer_used(mode):
+    env = PickPlaceEnv(render_mode=mode, **SIZE)
+    env.reset(seed=1)
+    env.render()
+    screen, renderer = env._screen, env._screen._renderer
+    given_back = [weakref.ref(screen), weakref.ref(renderer)]
+    # At once, and not by the way, while another one renders.
+    gc.disable()
+    try:
+        del env, screen, renderer
+        assert [reference() for reference in given_back] == [None, None]
+    finally:
+        gc.enable()
 
 
 def test_modes_that_do_not_exist_are_refused_with_those_that_do():
@@ -202,7 +215,8 @@ def test_render_without_a_mode_warns():
 
 def test_a_process_that_closes_nothing_ends_quietly():
     code = (
-        "import gymnasium, prospect_mj\n"
+        # Whose end comes after that of OpenGL.
+        "import gymnasium, prospect_mj, weakref; weakref.finalize(gymnasium, int)\n"
         "env = gymnasium.make('prospect_mj/PickPlace-v0', render_mode='rgb_array')\n"
         "env.reset(seed=0); env.render()"
     )

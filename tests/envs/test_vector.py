@@ -164,13 +164,16 @@ def test_live_physics_is_stepped_one_after_the_other(monkeypatch):
         observation_space = gymnasium.spaces.Box(0, 1)
         action_space = gymnasium.spaces.Discrete(6)
 
-        def __init__(self, settings, **changes):
-            made.append(changes)
+        def __init__(self, settings, render_mode):
+            made.append((settings, render_mode))
 
     monkeypatch.setattr("prospect_mj.envs.vector.PickPlaceEnv", Single)
-    envs = gymnasium.make_vec(ENV_ID, num_envs=2, supervisor="safe")
+    settings = PickPlaceSettings(max_actions=4)
+    asked = {"settings": settings, "supervisor": "safe", "render_mode": "rgb_array"}
+    envs = gymnasium.make_vec(ENV_ID, num_envs=2, **asked)
     assert isinstance(envs, SyncVectorEnv)
-    assert made == [{"supervisor": "safe"}] * 2
+    wanted = PickPlaceSettings(max_actions=4, supervisor="safe")
+    assert made == [(wanted, "rgb_array")] * 2
 
 
 def test_only_one_may_grow_a_recording(tmp_path):
@@ -187,6 +190,11 @@ def test_only_one_may_grow_a_recording(tmp_path):
         ({"num_envs": 2, "autoreset_mode": "x"}, InvalidChoice, "NextStep, SameStep"),
         ({"num_envs": 2, "render_mode": "rgb_array"}, InvalidValue, "render_mode"),
         ({"num_envs": 2, "physics": "live"}, InvalidValue, "physics is 'live'"),
+        (
+            {"num_envs": 2, "recording": "new", "grow": True},
+            InvalidValue,
+            "grow is True; expected False",
+        ),
         ({"num_envs": 2, "colour": "red"}, InvalidChoice, "valid: physics"),
         ({"num_envs": 2, "max_actions": 11}, RecordingError, "complete to 11"),
     ],
@@ -239,6 +247,16 @@ def test_bad_resets_are_refused(reset):
 def test_a_step_before_the_reset_is_an_error():
     with pytest.raises(gymnasium.error.ResetNeeded):
         RecordedVectorEnv(2).step([0, 0])
+
+
+def test_closed_ones_say_so():
+    envs = RecordedVectorEnv(2)
+    envs.reset(seed=0)
+    envs.close()
+    for use in (envs.reset, lambda: envs.step([0, 0])):
+        with pytest.raises(gymnasium.error.ClosedEnvironmentError):
+            use()
+    envs.close()
 
 
 def test_what_is_not_recorded_is_said_and_no_trial_moves():

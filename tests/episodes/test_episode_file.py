@@ -1,5 +1,6 @@
 """A watched trial, and what is left of it in a file."""
 
+import json
 from dataclasses import astuple, fields
 
 import numpy as np
@@ -90,21 +91,46 @@ def test_paths_were_followed_during_their_action(watched):
         assert grasp.start <= path.start < path.end <= grasp.end + 1e-9
 
 
+DAMAGED = {
+    "empty": lambda whole: b"",
+    "cut off": lambda whole: whole[: len(whole) // 2],
+    "zeros": lambda whole: b"\0" * len(whole),
+    "one bit": lambda whole: whole[:5000] + bytes([whole[5000] ^ 1]) + whole[5001:],
+    "text": lambda whole: b"notes",
+    "one array": lambda whole: b"\x93NUMPY" + whole[6:],
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGED.values(), ids=DAMAGED)
+def test_a_damaged_file_is_said_to_be_in_words_of_our_own(stored, damage):
+    """NumPy's would tell the user to load it unsafely."""
+    stored.write_bytes(damage(stored.read_bytes()))
+    with pytest.raises(EpisodeError) as refused:
+        episode_file.read(stored)
+    expected = f"{stored} can't be read as an episode: it is damaged, or none"
+    assert str(refused.value) == expected
+
+
+def test_an_array_by_itself_is_no_episode(tmp_path):
+    path = tmp_path / "array.npz"
+    with path.open("wb") as file:
+        np.save(file, np.zeros(3))
+    with pytest.raises(EpisodeError, match="it is damaged, or none"):
+        episode_file.read(path)
+
+
 @pytest.mark.parametrize(
-    ("damage", "words"),
+    ("name", "array", "words"),
     [
-        (lambda whole: b"", "can't be read as an episode"),
-        (lambda whole: whole[: len(whole) // 2], "can't be read as an episode"),
-        (lambda whole: b"\0" * len(whole), "can't be read as an episode"),
-        (
-            lambda whole: whole[:5000] + bytes([whole[5000] ^ 255]) + whole[5001:],
-            "can't be read as an episode",
-        ),
+        ("states", np.zeros(3), r"its states are float64 of shape \(3,\)"),
+        ("state_times", np.zeros(2), "its state times don't fit"),
     ],
 )
-def test_a_damaged_file_is_said_to_be(stored, damage, words):
-    stored.write_bytes(damage(stored.read_bytes()))
-    with pytest.raises(EpisodeError, match=words):
+def test_what_does_not_fit_is_named(stored, name, array, words):
+    with np.load(stored) as there:
+        arrays = dict(there)
+    np.savez(stored, **{**arrays, name: array})
+    with pytest.raises(EpisodeError, match=f"can't be read as an episode: {words}"):
         episode_file.read(stored)
 
 
@@ -116,3 +142,24 @@ def test_a_file_that_is_not_there_or_of_another_run_is_refused(stored, tmp_path)
     np.savez(tmp_path / "foreign.npz", description=np.frombuffer(b"[1]", np.uint8))
     with pytest.raises(EpisodeError, match="is not an episode"):
         episode_file.read(tmp_path / "foreign.npz")
+
+
+def test_a_file_of_another_format_is_refused_with_both(tmp_path):
+    told = np.frombuffer(b'{"format": 2}', np.uint8)
+    np.savez(tmp_path / "later.npz", description=told)
+    words = "later.npz has format 2; this version reads format 1"
+    with pytest.raises(EpisodeError, match=words):
+        episode_file.read(tmp_path / "later.npz")
+
+
+@pytest.mark.parametrize("end", ["start", "end"])
+@pytest.mark.parametrize("moment", [None, "soon"])
+def test_an_action_without_a_time_is_damage(stored, end, moment):
+    with np.load(stored) as arrays:
+        whole = dict(arrays)
+    told = json.loads(bytes(whole["description"]))
+    told["actions"][0][end] = moment
+    whole["description"] = np.frombuffer(json.dumps(told).encode(), np.uint8)
+    np.savez(stored, **whole)
+    with pytest.raises(EpisodeError, match="can't be read as an episode"):
+        episode_file.read(stored)

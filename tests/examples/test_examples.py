@@ -14,6 +14,7 @@ import pytest
 import random_agent
 
 import prospect_mj  # noqa: F401  (registers the environment)
+from prospect_mj.cli import command_line
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 ENV_ID = "prospect_mj/PickPlace-v0"
@@ -73,17 +74,15 @@ def test_an_example_runs_as_it_is(name):
 @pytest.mark.parametrize(
     ("option", "words"),
     [
-        ("--trials=0", "--trials is 0; expected a number from 1"),
-        ("--seed=-1", "from 0"),
+        ("--trials=0", "--trials is 0; expected an integer from 1 to 1000000000"),
+        ("--seed=-1", "from 0 to 1000000000"),
+        ("--seed=5000000000", "from 0 to 1000000000"),
+        ("--trials=many", "--trials is 'many'; expected a whole number"),
     ],
 )
-def test_a_number_that_cant_be_is_refused_in_one_line(
-    option, words, monkeypatch, capsys
-):
-    monkeypatch.setattr(sys, "argv", ["own_agent.py", option])
-    with pytest.raises(SystemExit) as end:
-        comparison.read(own_agent.Options)
-    assert end.value.code == 2
+def test_a_number_that_cant_be_is_refused_in_one_line(option, words, capsys):
+    agent = own_agent.main, own_agent.Options(), "own_agent.py"
+    assert command_line.main(*agent, [option]) == 2
     told = capsys.readouterr().err
     assert told.startswith("error: ")
     assert told.endswith(f"{words}\n")

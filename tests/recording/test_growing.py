@@ -14,6 +14,7 @@ from ideal_grower import content, grown_tree, key
 
 from prospect_mj import tables
 from prospect_mj.errors import FolderInUse, RecordingError
+from prospect_mj.recording import files
 from prospect_mj.recording.growing import GrowingRecording
 from prospect_mj.recording.key import NAME
 from prospect_mj.recording.schema import SCHEMA
@@ -84,9 +85,9 @@ def test_closed_it_neither_reads_nor_overwrites(folder):
 
 def test_where_its_last_presentation_is(folder):
     with GrowingRecording.open(folder, KEY) as recording:
-        assert recording.presentations == 1
+        assert files.n_presentations(folder) == 1
         recording.keep(grown_tree(1, "right", 70))
-        assert recording.presentations == 71
+        assert files.n_presentations(folder) == 71
 
 
 @pytest.mark.parametrize(

@@ -73,7 +73,7 @@ def test_trials_draw_from_all_that_is_there(tmp_path, number, expected):
     with GrowingRecording.open(tmp_path, KEY) as recording:
         recording.keep(grown_tree(1, "right", number))
     with task_in(tmp_path) as task:
-        assert task.presentations == expected
+        assert task.presenter.presentations == expected
         rng = np.random.default_rng(0)
         for _ in range(20 * expected):
             task.reset("left", rng)

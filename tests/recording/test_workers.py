@@ -3,9 +3,11 @@
 import os
 import signal
 import socket
+import subprocess
 import sys
 import time
 from functools import partial
+from pathlib import Path
 
 import pytest
 
@@ -64,6 +66,63 @@ def test_an_error_of_the_work_comes_through(jobs):
         InvalidValue, match="number is 3; expected one that is recorded"
     ):
         list(Workers(jobs).map(fail, [3]))
+
+
+def busy(folder, number):
+    (folder / str(os.getpid())).touch()
+    time.sleep(60)
+
+
+def run_by(folder):
+    list(Workers(2).map(partial(busy, Path(folder)), range(2)))
+
+
+def is_alive(process):
+    try:
+        # Who has ended is there until he is asked for.
+        state = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
+    except FileNotFoundError:
+        return False
+    return state != "Z"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="it looks into /proc")
+def test_processes_end_with_the_one_that_was_killed(tmp_path):
+    """They would go on for as long as their work takes, and wait for minutes more."""
+    script = (
+        "import pathlib, sys, test_workers as t; t.run_by(pathlib.Path(sys.argv[1]))"
+    )
+    command = [sys.executable, "-c", script, str(tmp_path)]
+    paths = os.pathsep.join([str(Path(__file__).parent), *filter(None, sys.path)])
+    killed = subprocess.Popen(command, env={**os.environ, "PYTHONPATH": paths})
+    deadline = time.monotonic() + 15
+    while len(list(tmp_path.iterdir())) < 2 and time.monotonic() < deadline:
+        time.sleep(0.02)
+    working = [int(path.name) for path in tmp_path.iterdir()]
+    killed.kill()
+    killed.wait()
+    while any(map(is_alive, working)) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    left = [process for process in working if is_alive(process)]
+    for process in left:
+        os.kill(process, signal.SIGKILL)
+    assert len(working) == 2
+    assert not left
+
+
+ORPHAN = """
+import sys, time
+from prospect_mj.recording import workers
+workers.end_with(int(sys.argv[1]))
+time.sleep(60)
+"""
+
+
+def test_a_process_whose_command_was_killed_before_its_first_work_ends_too():
+    gone = subprocess.Popen([sys.executable, "-c", ""])
+    gone.wait()
+    orphan = [sys.executable, "-c", ORPHAN, str(gone.pid)]
+    assert subprocess.run(orphan, timeout=30, check=False).returncode == 1
 
 
 def test_a_lost_process_is_one_clear_error_of_the_machine():

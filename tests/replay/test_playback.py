@@ -2,13 +2,14 @@
 
 from dataclasses import replace
 
+import mujoco
 import numpy as np
 import pytest
 
 from prospect_mj.episodes.episode import States
 from prospect_mj.errors import EpisodeError
 from prospect_mj.replay.playback import hand_path, model_of, play
-from prospect_mj.robot.names import palm
+from prospect_mj.robot.names import grasp_site
 
 pytestmark = pytest.mark.gl
 
@@ -52,9 +53,11 @@ def test_a_planned_path_begins_at_the_hand_and_ends_elsewhere(late, played):
     path = late.actions[0].paths[0]
     places = hand_path(model, path)
     at = np.searchsorted(frames.times, path.start - late.states.times[0])
-    hand = frames.positions[at, model.body(palm(path.side)).id]
-    # The grasp site is a hand's depth away from the palm's frame.
-    assert np.linalg.norm(places[0] - hand) < 0.2
+    site = model.site(grasp_site(path.side))
+    wrist, turned = site.bodyid[0], np.empty(3)
+    mujoco.mju_rotVecQuat(turned, site.pos, frames.quaternions[at, wrist])
+    hand = frames.positions[at, wrist] + turned
+    assert np.linalg.norm(places[0] - hand) < 0.01
     assert np.linalg.norm(places[-1] - places[0]) > 0.1
 
 

@@ -1,5 +1,6 @@
 """Episodes as Rerun reads them."""
 
+import resource
 import time
 
 import numpy as np
@@ -139,8 +140,11 @@ def test_lanes_tell_what_ran_and_what_failed(recording, late):
     ]
     ends = [span.end - late.states.times[0] for span in late.actions]
     np.testing.assert_allclose(at, [0.0, *ends], atol=1e-8)
-    _, controllers = recording.column("/running/right_arm", "StateChange:state")
+    at, controllers = recording.column("/running/right_arm", "StateChange:state")
     assert ["insertion: stalled"] in controllers
+    # The hand begins together with the reach, and is open at once.
+    shown = controllers[np.searchsorted(at, 0.2) - 1]
+    assert shown == ["reach"]
 
 
 def test_words_tell_the_result_of_each_action(recording):
@@ -181,3 +185,24 @@ def test_a_file_that_could_not_be_finished_is_not_there(late, tmp_path, monkeypa
     with pytest.raises(OSError, match="disk full"):
         export(late, Story("late"), tmp_path / "late.rrd")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_where_nothing_can_be_written_it_is_an_error_of_the_machine(late, tmp_path):
+    with pytest.raises(FileNotFoundError):
+        export(late, Story("late"), tmp_path / "none" / "late.rrd")
+
+
+@pytest.fixture
+def little_room():
+    """No file may be longer than this process is allowed, as on a disk that is full."""
+    least, most = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, most))
+    yield
+    resource.setrlimit(resource.RLIMIT_FSIZE, (least, most))
+
+
+@pytest.mark.timeout(60)
+def test_on_a_full_disk_it_ends_and_leaves_nothing(late, tmp_path, little_room):
+    with pytest.raises(OSError, match="too large"):
+        export(late, Story("late"), tmp_path / "late.rrd")
+    assert not list(tmp_path.iterdir())

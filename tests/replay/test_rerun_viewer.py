@@ -5,6 +5,7 @@ import signal
 import socket
 import subprocess
 import sys
+from pathlib import Path
 from urllib.request import urlopen
 
 import cv2
@@ -12,7 +13,7 @@ import numpy as np
 import pytest
 
 from prospect_mj.errors import InvalidValue, MissingViewer
-from prospect_mj.replay import colours, viewer
+from prospect_mj.replay import colours, screenshot, viewer
 from prospect_mj.replay.screenshot import photograph
 
 pytestmark = pytest.mark.gl
@@ -136,3 +137,35 @@ def test_a_viewer_without_a_driver_says_what_to_install(
         monkeypatch.setenv(name, nowhere)
     with pytest.raises(ChildProcessError, match="install Debian's mesa-vulkan-drivers"):
         photograph(exported["optimal"], tmp_path / "none.png")
+
+
+def test_a_viewer_that_is_slow_to_begin_is_waited_for(tmp_path, monkeypatch):
+    """On a busy machine nobody listens yet when its client comes."""
+    idle, refusals = tmp_path / "idle", iter(range(3))
+    idle.write_text("#!/bin/sh\nexec sleep 60\n")
+    idle.chmod(0o755)
+
+    class Client:
+        def __init__(self, url):
+            if next(refusals, None) is not None:
+                raise ConnectionError("transport error")
+
+        def get_state(self):
+            pass
+
+        def open(self, file):
+            self.file = file
+
+        def set_time(self, timeline, duration, play_state):
+            self.seconds = duration
+
+        def save_screenshot(self, png):
+            Path(png).write_text(f"{self.file} at {self.seconds} s")
+
+    monkeypatch.setattr(screenshot, "ViewerClient", Client)
+    monkeypatch.setattr(screenshot, "program", lambda: str(idle))
+    for name in ("_POLL", "_REST"):
+        monkeypatch.setattr(screenshot, name, 0.01)
+    photograph(tmp_path / "late.rrd", tmp_path / "late.png", seconds=2.5)
+    assert next(refusals, None) is None
+    assert (tmp_path / "late.png").read_text() == f"{tmp_path}/late.rrd at 2.5 s"

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from prospect_mj.episodes.episode import States
-from prospect_mj.errors import MissingEncoder
+from prospect_mj.errors import EpisodeError, MissingEncoder
 from prospect_mj.replay import video
 from prospect_mj.replay.video import VideoSettings, film, moments
 
@@ -96,3 +96,13 @@ def test_without_ffmpeg_it_says_so_and_leaves_nothing(short, tmp_path, monkeypat
     with pytest.raises(MissingEncoder, match="pip install imageio-ffmpeg"):
         film(short, tmp_path / "late.mp4", SMALL)
     assert not list(tmp_path.iterdir())
+
+
+def test_an_episode_of_another_model_is_refused_before_ffmpeg_is_asked(
+    short, tmp_path, capfd
+):
+    fewer = States(short.states.times, short.states.rows[:, :7])
+    with pytest.raises(EpisodeError, match="recorded with another model"):
+        film(replace(short, states=fewer), tmp_path / "film.mp4", SMALL)
+    assert capfd.readouterr().err == ""
+    assert list(tmp_path.iterdir()) == []

@@ -30,7 +30,8 @@ def test_a_jar_put_back_can_be_grasped_by_the_other_hand(bench, put_back, lid, s
 def test_a_hand_that_holds_nothing_puts_nothing_back(bench, put_back):
     bench.reset("left", seed=11)
     before = bench.task.simulation.save()
-    assert bench.run(put_back, "left").result == "not_allowed"
+    done = bench.run(put_back, "left")
+    assert (done.result, done.executed) == ("not_allowed", False)
     np.testing.assert_array_equal(bench.task.simulation.save(), before)
 
 

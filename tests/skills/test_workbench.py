@@ -9,6 +9,7 @@ from prospect_mj.actions.action import Action, ActionResult
 from prospect_mj.control.controller import CONTROL_PERIOD
 from prospect_mj.episodes import episode_file
 from prospect_mj.errors import InvalidChoice, InvalidValue
+from prospect_mj.recording.config import LARGEST_SEED
 from prospect_mj.robot import barrett_hand
 from prospect_mj.robot.names import SIDES
 from prospect_mj.skills import Sensors, Workbench
@@ -200,7 +201,46 @@ def test_without_a_jar_there_is_nothing_to_do():
                 use()
 
 
-@pytest.mark.parametrize(("lid", "seed"), [("up", 0), ("left", -1), ("left", 0.5)])
+def test_any_seed_that_an_environment_takes_presents_a_jar(bench):
+    assert bench.reset("left", LARGEST_SEED).status == "found"
+
+
+@pytest.mark.parametrize(
+    ("lid", "seed"),
+    [("up", 0), ("left", -1), ("left", 0.5), ("left", LARGEST_SEED + 1)],
+)
 def test_a_jar_that_cant_be_presented_is_refused(bench, lid, seed):
     with pytest.raises((InvalidChoice, InvalidValue)):
         bench.reset(lid, seed)
+
+
+@pytest.fixture(scope="module")
+def closed():
+    """A workbench that was closed twice, and what it was before."""
+    with Workbench.present("left", seed=2) as bench:
+        moment = bench.save()
+        bench.close()
+    return bench, moment
+
+
+@pytest.mark.parametrize(
+    "use",
+    [
+        lambda bench, _: bench.reset("left"),
+        lambda bench, _: bench.run("grasp-left"),
+        lambda bench, _: bench.run(stay),
+        lambda bench, _: bench.sense(),
+        lambda bench, _: bench.robot,
+        lambda bench, _: bench.look,
+        lambda bench, _: bench.inserted,
+        lambda bench, _: bench.save(),
+        lambda bench, moment: bench.restore(moment),
+        lambda bench, _: bench.episode(),
+    ],
+)
+def test_a_closed_workbench_says_so_and_does_nothing(closed, use):
+    bench, moment = closed
+    before = bench.task.simulation.save()
+    with pytest.raises(InvalidValue, match="workbench is 'closed'; expected an open"):
+        use(bench, moment)
+    np.testing.assert_array_equal(bench.task.simulation.save(), before)

@@ -1,5 +1,6 @@
 """All that the doctor looks at, in order."""
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from prospect_mj.experiment.doctor import machine, packages, recorded, rendering
@@ -26,8 +27,7 @@ def examine() -> Iterator[tuple[str, Iterator[Check]]]:
 
 def verdict(checks: Sequence[Check]) -> str:
     """One line for all of them."""
-    counted = {level: sum(one.level is level for one in checks) for level in Level}
-    failed, warned = counted[Level.FAIL], counted[Level.WARN]
-    if not failed and not warned:
+    counted = Counter(one.level for one in checks)
+    if counted[Level.OK] == len(checks):
         return "all is well"
-    return f"{counted[Level.OK]} checks are well, {warned} warn, {failed} failed"
+    return ", ".join(f"{counted[level]} {level}" for level in Level)

@@ -17,17 +17,17 @@ def look_at_recording() -> list[Check]:
         recording = Recording.load(paths.RECORDING)
     except (ProspectError, OSError) as error:
         return [Check(_NAME, Level.FAIL, str(error), f"install it again, or {anew}")]
-    changed = recording.key.differences(RecordingKey.present(recording.key.config))
-    n_trees = len(recording.presentations.lid)
+    present = RecordingKey.present(recording.key.config)
+    changed = recording.key.differences(present)
     if not changed:
-        return [Check(_NAME, Level.OK, f"{n_trees} presentations, of these sources")]
+        n_shown = len(recording.presentations.lid)
+        return [Check(_NAME, Level.OK, f"{n_shown} presentations, of these sources")]
     found = f"may differ from live physics: {'; '.join(changed)}"
-    return [Check(_NAME, Level.WARN, found, _remedy(recording.key, anew))]
+    return [Check(_NAME, Level.WARN, found, _remedy(recording.key, present, anew))]
 
 
-def _remedy(key: RecordingKey, anew: str) -> str:
+def _remedy(key: RecordingKey, present: RecordingKey, anew: str) -> str:
     """Other versions can be had; other sources were meant to be."""
-    present = RecordingKey.present(key.config)
     if dict(key.sha256) != dict(present.sha256):
         return anew
     wanted = [

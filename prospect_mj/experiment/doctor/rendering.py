@@ -23,11 +23,7 @@ _VULKAN = "prospect_mj.experiment.doctor.vulkan"
 def look_at_rendering() -> list[Check]:
     """OpenGL, and the time that a look and an action take."""
     backend = os.environ.get("MUJOCO_GL") or "native"
-    try:
-        done = _python("-m", _PROBE)
-    except subprocess.TimeoutExpired:
-        found = f"{backend}: nothing came of it within {_PATIENCE:.0f} s"
-        return [Check("OpenGL", Level.FAIL, found, _gl_remedy(backend))]
+    done = _python("-m", _PROBE)
     told: dict[str, Any] = {}
     for line in done.stdout.splitlines():
         told |= json.loads(line)
@@ -99,13 +95,15 @@ def _vulkan() -> list[Check]:
 
 
 def _python(*arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, *arguments],
-        capture_output=True,
-        text=True,
-        timeout=_PATIENCE,
-        check=False,
-    )
+    """Run Python in a process of its own; one that hangs is ended, and has failed."""
+    command = [sys.executable, *arguments]
+    try:
+        return subprocess.run(
+            command, capture_output=True, text=True, timeout=_PATIENCE, check=False
+        )
+    except subprocess.TimeoutExpired:
+        reason = f"nothing came of it within {_PATIENCE:.0f} s"
+        return subprocess.CompletedProcess(command, 1, "", reason)
 
 
 def _last_line(done: subprocess.CompletedProcess[str]) -> str:

@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterator
 from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from prospect_mj.agent import LinearQ
 from prospect_mj.experiment.evaluation import places
@@ -22,16 +21,13 @@ from prospect_mj.experiment.run.environment import (
     MakeEnvironment,
     make_environment,
 )
+from prospect_mj.experiment.run.finishing import check_keepable, keeper_of, work_off
 from prospect_mj.experiment.run.kept_episodes import Kept
-from prospect_mj.experiment.run.progress import Progress
 from prospect_mj.experiment.run.trial_loop import FinishedTrial, Presented
 from prospect_mj.experiment.view import evaluation_file
 from prospect_mj.experiment.view.evaluation_file import Learned, StoredEvaluation
 from prospect_mj.experiment.view.evaluation_settings import EvaluationSettings
 from prospect_mj.experiment.view.run_view import RunView
-
-if TYPE_CHECKING:
-    from prospect_mj.experiment.run.episode_keeper import EpisodeKeeper
 
 Say = Callable[[str], None]
 
@@ -59,6 +55,7 @@ def evaluate(
 
     Raises:
         RunFolderError: if `run` is no run, or `out` can't be had; nothing was written.
+        RecordingError: if episodes of recorded physics are to be kept; the same.
     """
     run.check_is_run()
     config = settings.config(run.config)
@@ -68,11 +65,10 @@ def evaluate(
     if is_begun(path):
         _go_on(path, make_env, say, kept)
     else:
-        with (
-            closing(make_env(config)) as env,
-            EvaluationFolder.create(path, wanted, run.learner) as folder,
-        ):
-            _finish(folder, env, say, kept)
+        with closing(make_env(config)) as env:
+            check_keepable(env, kept)
+            with EvaluationFolder.create(path, wanted, run.learner) as folder:
+                _finish(folder, env, say, kept)
     return RunView.read(path)
 
 
@@ -122,17 +118,6 @@ def _finish(
     evaluation, first = folder.evaluation, folder.n_trials
     told = f"at trial {first}" if first else "the same command goes on after a stop"
     say(f"evaluating in {folder.path}; {told}")
-    keeper = None if kept is None else _keeper(folder, env, kept)
-    with Progress(folder, evaluation.settings.n_trials) as progress:
-        for finished in trials(evaluation, env, folder.state.learner, first):
-            if keeper is not None:
-                keeper.look_at(finished.trial)
-            folder.commit(finished)
-            progress.advance()
-
-
-def _keeper(folder: EvaluationFolder, env: Environment, kept: Kept) -> "EpisodeKeeper":
-    # Where nothing is to be seen, nothing of MuJoCo is loaded.
-    from prospect_mj.experiment.run.episode_keeper import EpisodeKeeper
-
-    return EpisodeKeeper(folder.path, folder.evaluation.origin, env.watch(), kept)
+    left = trials(evaluation, env, folder.state.learner, first)
+    keeper = keeper_of(folder, env, kept)
+    work_off(left, folder, evaluation.settings.n_trials, keeper)

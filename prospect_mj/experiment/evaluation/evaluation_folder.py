@@ -2,14 +2,15 @@
 
     evaluation.yaml  what is evaluated, settings, versions and digests
     weights.npz      the learner, as the run had it then
+    episodes         the trials that were kept for replay
     actions.parquet  one row per action (`records.ActionRecord`)
     trials.parquet   one row per trial (`records.TrialRecord`)
-    episodes         the trials that were kept for replay
 
 They are written in this order, each as a whole. With its weights an evaluation is
 begun: the run may learn on meanwhile. Its finished trials are those in the last table.
 """
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Self
 
@@ -37,11 +38,14 @@ class EvaluationFolder(LockedFolder):
         state: the learner, and the finished trials.
     """
 
-    def __init__(self, path: Path, evaluation: StoredEvaluation) -> None:
-        """Use `create` or `open` instead."""
+    def __init__(
+        self, path: Path, evaluation: StoredEvaluation, state: Callable[[], RunState]
+    ) -> None:
+        """Use `create` or `open` instead; the state is asked for in a locked folder."""
         super().__init__(path)
         self.evaluation = evaluation
-        self.state: RunState
+        with self.closed_if_it_fails():
+            self.state = state()
 
     @classmethod
     def create(cls, path: Path, evaluation: StoredEvaluation, learner: LinearQ) -> Self:
@@ -57,17 +61,10 @@ class EvaluationFolder(LockedFolder):
         """
         try:
             path.mkdir(parents=True, exist_ok=True)
-            folder = cls(path, evaluation)
-            with folder.closed_if_it_fails():
-                check_free(path)
-                evaluation_file.write(path, evaluation)
-                folder.state = evaluation_state.begin(
-                    path, _marked(learner, evaluation.origin)
-                )
+            return cls(path, evaluation, lambda: _begun(path, evaluation, learner))
         except OSError as error:
             words = f"{path} can't be written: {error.strerror}"
             raise RunFolderError(words) from error
-        return folder
 
     @classmethod
     def open(cls, path: Path) -> Self:
@@ -77,10 +74,17 @@ class EvaluationFolder(LockedFolder):
             RunFolderError: if it is none or is damaged.
             FolderInUse: if another process works in it.
         """
-        folder = cls(path, evaluation_file.read(path))
-        with folder.closed_if_it_fails():
-            folder.state = evaluation_state.read_state(path, folder.evaluation.origin)
-        return folder
+        evaluation = evaluation_file.read(path)
+        return cls(
+            path,
+            evaluation,
+            lambda: evaluation_state.read_state(path, evaluation.origin),
+        )
+
+    @property
+    def origin(self) -> str:
+        """Digest that marks its files."""
+        return self.evaluation.origin
 
     @property
     def trials(self) -> pa.Table:
@@ -115,7 +119,14 @@ def check_free(path: Path) -> None:
     description = path / evaluation_file.NAME
     unborn = [description, temporary(description), temporary(path / WEIGHTS)]
     own = [] if is_begun(path) else [file.name for file in unborn]
-    check_vacant(path, own, "choose another folder")
+    check_vacant(path, "choose another folder", own.__contains__)
+
+
+def _begun(path: Path, evaluation: StoredEvaluation, learner: LinearQ) -> RunState:
+    """Write what there is before the first trial, if the folder can be had."""
+    check_free(path)
+    evaluation_file.write(path, evaluation)
+    return evaluation_state.begin(path, _marked(learner, evaluation.origin))
 
 
 def _marked(learner: LinearQ, origin: str) -> LinearQ:

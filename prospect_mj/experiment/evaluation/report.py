@@ -1,7 +1,7 @@
 """What an evaluation came to, with 95 % confidence intervals.
 
-Shares have Wilson's. Mean actions have the bootstrap's, which resamples each
-orientation by itself, as it was shown.
+Shares have Wilson's. Mean actions have Student's, within what can be: of few trials a
+bootstrap would be too sure.
 """
 
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from prospect_mj.experiment.paper.populations.strategies import Strategy
 from prospect_mj.experiment.portraits.trial_strategies import TrialStrategies
 from prospect_mj.experiment.run.learning_curve import OPTIMUM
 from prospect_mj.experiment.view.run_view import RunView
-from prospect_mj.recording.hands import LEFT, RIGHT
+from prospect_mj.recording.hands import NUMBERS
 
 _Ints = NDArray[np.integer]
 
@@ -67,16 +67,15 @@ class Report:
         found = TrialStrategies.of(view.trials, view.actions)
         n_actions = view.trials["n_actions"].to_numpy()
         solved = view.trials["solved"].to_numpy()
-        rng = evaluation.settings.bootstrap_rng()
-        sides = {"left": found.lid == LEFT, "right": found.lid == RIGHT}
-        groups = {name: [shown] for name, shown in sides.items()}
-        groups["all"] = [*sides.values()]
+        most = view.config.max_actions
+        groups = {side: [found.lid == lid] for side, lid in NUMBERS.items()}
+        groups["all"] = [shown for (shown,) in groups.values()]
         return cls(
             path=view.path,
             physics=view.config.physics,
             learned_trials=evaluation.learned.trials,
             outcomes={
-                name: _outcome(parts, n_actions, solved, found.strategy, rng)
+                name: _outcome(parts, n_actions, solved, found.strategy, most)
                 for name, parts in groups.items()
             },
             failures=listed(view, ~solved),
@@ -89,12 +88,13 @@ def _outcome(
     n_actions: _Ints,
     solved: NDArray[np.bool_],
     strategy: _Ints,
-    rng: np.random.Generator,
+    most: int,
 ) -> Outcome:
-    """Of the trials (n,) that are in any of some parts of all."""
+    """Of the trials (n,), of `most` actions, that are in any of some parts of all."""
     there = np.any(parts, axis=0)
     used = {s.name.lower(): int(np.sum(strategy[there] == s)) for s in Strategy}
     shown = [n_actions[part] for part in parts]
     n_trials, n_solved = int(there.sum()), int(solved[there].sum())
-    success, actions = share(n_solved, n_trials), stratified_mean(shown, rng)
-    return Outcome(n_trials, n_solved, success, actions, used)
+    # No trial is shorter or longer, so no mean is.
+    actions = stratified_mean(shown).within(OPTIMUM, most)
+    return Outcome(n_trials, n_solved, share(n_solved, n_trials), actions, used)

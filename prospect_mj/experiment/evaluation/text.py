@@ -1,6 +1,6 @@
 """An evaluation's report for a terminal."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from itertools import groupby
 
 from prospect_mj.experiment.evaluation.listing import Listed
@@ -8,8 +8,9 @@ from prospect_mj.experiment.evaluation.report import Outcome, Report
 from prospect_mj.experiment.paper.populations.strategies import Strategy
 from prospect_mj.experiment.run.learning_curve import OPTIMUM
 from prospect_mj.experiment.text_table import aligned
+from prospect_mj.task.presentation import ORIENTATIONS
 
-_NAMES = {"left": "lid left", "right": "lid right", "all": "all"}
+_NAMES = {**{side: f"lid {side}" for side in ORIENTATIONS}, "all": "all"}
 _STRATEGIES = [strategy.name.lower() for strategy in Strategy]
 
 
@@ -26,7 +27,8 @@ def text(report: Report, longer: bool = False) -> str:
         f"greedy policy after {report.learned_trials} trials, {report.physics} physics",
         "",
         *aligned([head, *rows]),
-        "in brackets 95 % intervals: Wilson's of shares, the bootstrap's of means",
+        "in brackets 95 % intervals: Wilson's of shares, Student's of means",
+        *_without_width(report.outcomes.values()),
         "",
         *_list("failures", report.failures),
     ]
@@ -39,6 +41,13 @@ def _row(name: str, outcome: Outcome) -> list[str]:
     used = [str(outcome.strategies[strategy]) for strategy in _STRATEGIES]
     solved, actions = outcome.success.words(1, scale=100), outcome.actions.words(2)
     return [name, str(outcome.trials), solved, actions, *used]
+
+
+def _without_width(outcomes: Iterable[Outcome]) -> list[str]:
+    """What no interval can tell, where there is one of no width."""
+    if all(one.actions.low < one.actions.high for one in outcomes):
+        return []
+    return ["intervals without width: no trials differed, which of few says little"]
 
 
 def _list(title: str, trials: Sequence[Listed]) -> list[str]:

@@ -1,5 +1,7 @@
 """A picture of a harmonic function over two joints, with its streamlines."""
 
+from collections.abc import Callable
+
 import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
@@ -63,19 +65,34 @@ _CUT_OFF = "#d9d9d9"
 """Of free cells from which no way leads to the goal."""
 _PHOTO = (620, 860)
 """Rows and columns [pixels]."""
+STEPS = 5
+"""What is in the way, three panels, and the picture of them."""
 
 
-def field_picture() -> bytes:
+def field_picture(tick: Callable[[], object]) -> bytes:
     """Draw the slice, the arm on one of its streamlines, and u along a corridor.
+
+    Args:
+        tick: called after each of the `STEPS`.
 
     Returns:
         The picture as PNG.
     """
-    return png(drawing(joint_slice()))
+    shown = joint_slice()
+    tick()
+    figure = drawing(shown, tick)
+    content = png(figure)
+    tick()
+    return content
 
 
-def drawing(shown: Slice) -> Figure:
-    """The figure of a slice."""
+def drawing(shown: Slice, tick: Callable[[], object] = lambda: None) -> Figure:
+    """The figure of a slice.
+
+    Args:
+        shown: the slice.
+        tick: called after each of its three panels.
+    """
     figure = Figure(figsize=(13, 6.2), dpi=110, layout="constrained")
     left, right = figure.subfigures(1, 2, width_ratios=(1.42, 1))
     way = shown.streamline(np.array(START)).points
@@ -83,9 +100,12 @@ def drawing(shown: Slice) -> Figure:
     axes = left.subplots()
     _draw_space(axes, shown)
     _draw_way(axes, way, stations)
+    tick()
     above, below = right.subplots(2, 1, height_ratios=(2.3, 1))
     _draw_arm(above, stations)
+    tick()
     _draw_decay(below)
+    tick()
     return figure
 
 

@@ -1,5 +1,7 @@
 """The README's picture: a trial with an early correction in four frames."""
 
+from collections.abc import Callable
+
 import cv2
 import mujoco
 import numpy as np
@@ -13,17 +15,25 @@ from prospect_mj.task.pick_place import PickPlaceTask
 SIZE = (720, 1280)
 """Rows and columns of a frame; the picture is as large [pixels]."""
 ACTIONS = (Action.GRASP_RIGHT, Action.SWAP_RIGHT_TO_LEFT, Action.INSERT_LEFT)
+STEPS = 1 + len(ACTIONS)
+"""Frames."""
 
 
-def scene_picture() -> bytes:
-    """The presentation and what each of three actions leaves behind, as PNG."""
+def scene_picture(tick: Callable[[], object]) -> bytes:
+    """The presentation and what each of three actions leaves behind, as PNG.
+
+    Args:
+        tick: called after each of the `STEPS`.
+    """
     with PickPlaceTask() as task:
         task.reset("left", np.random.default_rng(3))
         overview.light_for_people(task.simulation.model, SIZE)
         frames = [_labelled(_photograph(task), "1  presented")]
+        tick()
         for i, action in enumerate(ACTIONS, start=2):
             task.execute(action)
             frames.append(_labelled(_photograph(task), f"{i}  {action.label}"))
+            tick()
     rows = [np.hstack(frames[:2]), np.hstack(frames[2:])]
     half = cv2.resize(
         np.vstack(rows), None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA

@@ -46,6 +46,13 @@ class GraspPhases:
         rate = np.diff(self.residual) / np.diff(self.times)
         return np.column_stack([self.residual[1:], rate])
 
+    @property
+    def probes(self) -> int:
+        """How often the hand touched; in between it corrected its place."""
+        if not self.times.size:
+            return 0
+        return 1 + int(np.sum(np.diff(self.times) > 1.5 * CONTROL_PERIOD))
+
 
 def grasps_of(episode: Episode) -> Iterator[GraspPhases]:
     """Every run of a grasp controller in an episode, those within swaps among them."""

@@ -30,8 +30,13 @@ _LOOKS = {
     Status.OUT_OF_TIME: ("#8c5a00", "D"),
 }
 """Colour, and mark at the end, of grasps by how they came out."""
+_END = {"markersize": 7, "mfc": "none", "mew": 1.1}
+_START = {"markersize": 5, "mew": 0}
+"""The one fits in the other, as most grasps end where they start."""
 _ACCEPTED = "#e3f1ea"
 _PANELS = {"lid": "the hand on the lid", "body": "the hand on the body"}
+_LINE = 13
+"""From line to line of the heading [points]."""
 _ARROW = 0.03
 """The shortest step with an arrow [share of the panel]."""
 
@@ -62,13 +67,28 @@ def portraits(grasps: Sequence[GraspPhases], of: str) -> bytes:
         axes.set_xlabel(r"residual of the contacts, $\epsilon$")
         axes.spines[["top", "right"]].set_visible(False)
     panels[0].set_ylabel(r"rate, $d\epsilon/dt$ [1/s]")
-    over = {"xycoords": "axes fraction", "va": "bottom"}
-    title = {"fontsize": 12, "fontweight": "bold", "color": "black"}
-    write(panels[0], "Phase portraits of grasps", (0, 1), (0, 40), **over, **title)
-    # Its words are wider than their panel.
-    write(panels[0], of, (0, 1), (0, 24), **over, in_layout=False)
+    _write_heading(panels[0], [of, *_at_once(grasps)])
     _draw_legend(figure, {grasp.status for grasp in grasps})
     return png(figure)
+
+
+def _write_heading(axes: Axes, lines: Sequence[str]) -> None:
+    """The title, and lines below it that are wider than their panel."""
+    over = {"xycoords": "axes fraction", "va": "bottom"}
+    title = {"fontsize": 12, "fontweight": "bold", "color": "black"}
+    for number, words in enumerate(reversed(lines)):
+        write(axes, words, (0, 1), (0, 24 + _LINE * number), **over, in_layout=False)
+    above = 24 + _LINE * len(lines)
+    write(axes, "Phase portraits of grasps", (0, 1), (0, above + 3), **over, **title)
+
+
+def _at_once(grasps: Sequence[GraspPhases]) -> list[str]:
+    """What there is to see if most grasps have hardly any trajectory."""
+    balanced = [g.status is Status.CONVERGED and g.probes == 1 for g in grasps]
+    if 2 * sum(balanced) <= len(grasps):
+        return []
+    told = f"{sum(balanced)} of {len(grasps)} grasps balance at the first probe"
+    return [f"{told}: they end where they start"]
 
 
 def _all_phases(grasps: Sequence[GraspPhases]) -> Floats:
@@ -78,7 +98,7 @@ def _all_phases(grasps: Sequence[GraspPhases]) -> Floats:
 
 def _counted(words: str, grasps: Sequence[GraspPhases]) -> str:
     without = sum(len(grasp.phases) == 0 for grasp in grasps)
-    hidden = f", {without} without a touch" if without else ""
+    hidden = f", {without} without a lasting touch" if without else ""
     return f"{words}: {len(grasps)} grasps{hidden}"
 
 
@@ -116,8 +136,8 @@ def _draw_trajectory(axes: Axes, grasp: GraspPhases) -> None:
         return
     colour, mark = _LOOKS[grasp.status]
     axes.plot(*grasp.phases.T, color=colour, linewidth=0.9, alpha=0.75)
-    axes.plot(*grasp.phases[0], ".", color=colour, markersize=4)
-    axes.plot(*grasp.phases[-1], mark, color=colour, markersize=5, mec="white", mew=0.5)
+    axes.plot(*grasp.phases[-1], mark, color=colour, zorder=3, **_END)
+    axes.plot(*grasp.phases[0], ".", color=INK, zorder=4, **_START)
     arrow = {"arrowstyle": "-|>,head_width=0.18,head_length=0.35", "color": colour}
     shares = axes.transAxes.inverted().transform(axes.transData.transform(grasp.phases))
     steps = np.hypot(*np.diff(shares, axis=0).T)
@@ -130,11 +150,11 @@ def _draw_trajectory(axes: Axes, grasp: GraspPhases) -> None:
 
 def _draw_legend(figure: Figure, there: set[Status]) -> None:
     handles = [
-        Line2D([], [], color=colour, marker=mark, linewidth=1, label=str(status))
+        Line2D([], [], c=colour, marker=mark, lw=1, label=str(status), **_END)
         for status, (colour, mark) in _LOOKS.items()
         if status in there
     ]
-    handles.append(Line2D([], [], color=INK, marker=".", ls="", label="start"))
+    handles.append(Line2D([], [], c=INK, marker=".", ls="", label="start", **_START))
     settings = GraspSettings()
     accepted = (
         rf"accepted: $\epsilon < {settings.residual_threshold:g}$, "

@@ -8,7 +8,7 @@ from tqdm import tqdm
 
 from prospect_mj.episodes import episode_file
 from prospect_mj.experiment.portraits.grasp_phases import GraspPhases, grasps_of
-from prospect_mj.experiment.run.kept_episodes import kept_trials, path_of
+from prospect_mj.experiment.run.kept_episodes import path_of
 from prospect_mj.experiment.view.run_view import RunView
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
@@ -30,7 +30,7 @@ def read_kept(run: RunView) -> KeptMaterial:
     Raises:
         EpisodeError: if one is damaged or of another run.
     """
-    kept = [trial for trial in kept_trials(run.path) if trial < run.n_trials]
+    kept = run.kept_trials
     seen, grasps = {side: [] for side in ORIENTATIONS}, []
     for trial in tqdm(kept, "reading", unit="episode", disable=None, leave=False):
         episode = episode_file.read(path_of(run.path, trial), run.origin)

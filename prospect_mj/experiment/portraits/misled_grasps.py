@@ -13,15 +13,13 @@ from itertools import cycle, islice, product
 import numpy as np
 from tqdm import tqdm
 
-from prospect_mj.actions.action import Action
 from prospect_mj.actions.belief import Belief, SeenJar
 from prospect_mj.checks import check_number
 from prospect_mj.experiment.portraits.grasp_phases import GraspPhases, grasps_of
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.environment import make_environment
+from prospect_mj.recording.hands import GRASPS
 from prospect_mj.task.presentation import ORIENTATIONS
-
-_GRASPS = (Action.GRASP_LEFT, Action.GRASP_RIGHT)
 
 
 @dataclass(frozen=True)
@@ -65,7 +63,7 @@ def grasp_misled(
         supervisor="none",
         shaping=(),
     )
-    trials = list(islice(cycle(product(ORIENTATIONS, _GRASPS)), n))
+    trials = list(islice(cycle(product(ORIENTATIONS, GRASPS.values())), n))
     with closing(make_environment(live)) as env:
         watched = env.watch()
         for orientation, action in tqdm(

@@ -13,7 +13,6 @@ from prospect_mj.experiment.portraits.run_frame import name_of
 from prospect_mj.experiment.portraits.start_value_picture import start_values
 from prospect_mj.experiment.portraits.strategy_picture import strategies
 from prospect_mj.experiment.portraits.weights_picture import weights
-from prospect_mj.experiment.run.kept_episodes import kept_trials
 from prospect_mj.experiment.view.run_view import RunView
 from prospect_mj.task.presentation import Orientation
 
@@ -40,17 +39,18 @@ def draw(run: RunView, n_misled: int, say: Say) -> dict[str, bytes]:
 
     Raises:
         EpisodeError: if a kept episode is damaged or of another run.
-        RecordingError: if the run kept no episodes, and the recording is damaged.
+        RecordingError: if the kept episodes don't show both orientations, and the
+            recording is damaged.
         RenderingUnavailable: if grasps are to be simulated without OpenGL.
     """
     work: dict[str, Draw] = {
         STRATEGIES: lambda: strategies(run),
         VALUES: lambda: start_values(run),
     }
-    if kept_trials(run.path):
+    if run.kept_trials:
         work |= _of_episodes(run)
     else:
-        work[WEIGHTS] = lambda: _weights(run, {})
+        work[WEIGHTS] = lambda: weights_of(run, {})
     if n_misled:
         work[MISLED] = lambda: _misled(run, n_misled)
     elif GRASPS not in work:
@@ -65,14 +65,23 @@ def _of_episodes(run: RunView) -> dict[str, Draw]:
     from prospect_mj.experiment.portraits.kept_material import read_kept
 
     kept = read_kept(run)
-    work: dict[str, Draw] = {WEIGHTS: lambda: _weights(run, kept.counts)}
+    work: dict[str, Draw] = {WEIGHTS: lambda: weights_of(run, kept.counts)}
     if kept.grasps:
         of = f"{name_of(run)}: every grasp of the {kept.episodes} kept episodes"
         work[GRASPS] = lambda: portraits(kept.grasps, of)
     return work
 
 
-def _weights(run: RunView, kept: Mapping[Orientation, NDArray[np.int64]]) -> bytes:
+def weights_of(run: RunView, kept: Mapping[Orientation, NDArray[np.int64]]) -> bytes:
+    """Draw which grey levels decide in a run.
+
+    Args:
+        run: the run.
+        kept: (n, 100) [pixels] per side of the lid: histograms of its kept episodes.
+
+    Raises:
+        RecordingError: if those lack a side, and the recording is damaged.
+    """
     settings = run.config.features
     seen = SeenHistograms.of(kept, run.config)
     mind = MadeUpMind.of(run.learner, StateFeatureGenerator(settings), seen.counts)
@@ -99,7 +108,7 @@ def _misled(run: RunView, n: int) -> bytes:
 def _why_no_grasps(run: RunView) -> str:
     if run.config.physics == "recorded":
         why = "a run on recorded physics has no episodes"
-    elif kept_trials(run.path):
+    elif run.kept_trials:
         why = "no jar was grasped in the kept episodes"
     else:
         why = "the run kept no episodes, as --record every=50 of the training would"

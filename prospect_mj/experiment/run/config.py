@@ -2,8 +2,10 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import Any, Self, get_args
 
+from prospect_mj import paths
 from prospect_mj.agent.features import N_FEATURES, FeatureSettings
 from prospect_mj.agent.settings import LearnerSettings
 from prospect_mj.checks import check_choice, check_integer, check_names
@@ -66,9 +68,9 @@ class TrainConfig:
     def __post_init__(self) -> None:
         """Refuse every number and choice that makes no run."""
         check_integer("trials", self.trials, 1, _MOST_TRIALS)
-        check_integer("pretraining trials", self.pretrain, 0, self.trials)
+        check_integer("pretrain", self.pretrain, 0, self.trials)
         check_integer("seed", self.seed, 0, LARGEST_SEED)
-        check_integer("actions per trial", self.max_actions, 1, 1000)
+        check_integer("max_actions", self.max_actions, 1, 1000)
         check_choice("dominant hand", self.dominant, ORIENTATIONS)
         Supervisor(self.supervisor, self.shaping)
         check_choice("physics", self.physics, get_args(Physics))
@@ -103,6 +105,11 @@ class TrainConfig:
             )
         except TypeError as error:
             raise ProspectError(f"settings of the wrong type: {error}") from error
+
+    @property
+    def recording_folder(self) -> Path:
+        """Where recorded physics is looked up."""
+        return paths.RECORDING if self.recording is None else Path(self.recording)
 
     def with_trials(self, trials: int) -> Self:
         """The same run, longer or shorter."""

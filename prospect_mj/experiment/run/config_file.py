@@ -1,10 +1,10 @@
 """config.yaml: what a run is, and which software and model files made it."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import yaml
 
@@ -99,6 +99,8 @@ def stored_in(path: Path, content: Mapping[str, Any]) -> StoredConfig:
     try:
         plain = [dict(content[name]) for name in ("config", "sha256", "versions")]
         configuration = fingerprint.of_settings(plain[0])
+        # What is no word can't be digested with the others.
+        fingerprint.origin_of(plain[1])
     except (KeyError, TypeError, ValueError) as error:
         lacking = "settings, digests or versions are lacking"
         raise RunFolderError(f"{path} is damaged: {lacking}") from error
@@ -108,18 +110,41 @@ def stored_in(path: Path, content: Mapping[str, Any]) -> StoredConfig:
     return stored
 
 
-def differences(stored: StoredConfig, config: TrainConfig) -> list[str]:
+class Difference(NamedTuple):
+    """Something that decides the numbers of a run and is not as it was then."""
+
+    name: str
+    refusal: str
+    """Why the run can't be continued, in words that follow the file's path."""
+
+
+def differences(stored: StoredConfig, config: TrainConfig) -> Iterator[Difference]:
     """What decides the numbers of a run and is not as it was then.
+
+    Args:
+        stored: what its file says.
+        config: the same, understood.
 
     Raises:
         ProspectError: if something that decides them is missing.
     """
-    installed = provenance.installed_versions(PACKAGES)
-    now = fingerprint.digests(config)
-    return [
-        *(p for p, version in installed.items() if stored.versions.get(p) != version),
-        *(name for name, digest in now.items() if stored.sha256.get(name) != digest),
-    ]
+    for package, now in provenance.installed_versions(PACKAGES).items():
+        had = stored.versions.get(package)
+        if had != now:
+            refusal = (
+                f" was made with {package} {had}, {now} is installed: the run can't be "
+                "continued exactly"
+            )
+            yield Difference(package, refusal)
+    for name, digest in fingerprint.digests(config).items():
+        if name not in stored.sha256:
+            refusal = f" does not note its {name}; the run can't be continued"
+            yield Difference(name, refusal)
+        elif stored.sha256[name] != digest:
+            refusal = (
+                f": {name} has changed since the run began; the run can't be continued"
+            )
+            yield Difference(name, refusal)
 
 
 def check_continuable(path: Path, stored: StoredConfig, config: TrainConfig) -> None:
@@ -133,27 +158,5 @@ def check_continuable(path: Path, stored: StoredConfig, config: TrainConfig) -> 
     Raises:
         RunFolderError: with the first difference.
     """
-    _check_versions(path, stored.versions)
-    _check_digests(path, stored.sha256, config)
-
-
-def _check_versions(path: Path, stored: Mapping[str, str]) -> None:
-    for package, installed in provenance.installed_versions(PACKAGES).items():
-        if stored.get(package) != installed:
-            raise RunFolderError(
-                f"{path} was made with {package} {stored.get(package)}, "
-                f"{installed} is installed: the run can't be continued exactly"
-            )
-
-
-def _check_digests(path: Path, stored: Mapping[str, str], config: TrainConfig) -> None:
-    for name, present in fingerprint.digests(config).items():
-        if name not in stored:
-            raise RunFolderError(
-                f"{path} does not note its {name}; the run can't be continued"
-            )
-        if stored[name] != present:
-            raise RunFolderError(
-                f"{path}: {name} has changed since the run began; "
-                "the run can't be continued"
-            )
+    for first in differences(stored, config):
+        raise RunFolderError(f"{path}{first.refusal}")

@@ -10,6 +10,7 @@ from prospect_mj import paths
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.recording import files
 from prospect_mj.recording.key import RecordingKey
+from prospect_mj.recording.presenter import GrowingPresenter
 from prospect_mj.recording.provenance import (
     code_digest,
     model_digests,
@@ -19,6 +20,8 @@ from prospect_mj.recording.provenance import (
 
 CONFIGURATION = "configuration"
 LEARNER = "learner"
+RECORDING = "recording"
+PRESENTATIONS = "number of presentations to draw from"
 LEARNER_CODE = ("agent/features.py", "agent/linear_q.py")
 """What decides how is learned."""
 
@@ -40,7 +43,7 @@ def digests(config: TrainConfig) -> dict[str, str]:
     found = {CONFIGURATION: of_settings(asdict(config)), LEARNER: learner_digest()}
     found |= model_digests()
     if config.physics == "recorded":
-        return found | {"recording": _recording_digest(config)}
+        return found | _recording_digests(config)
     return found | {"sources": source_digest()}
 
 
@@ -66,11 +69,13 @@ def origin_of(found: Mapping[str, str]) -> str:
     return sha256(json.dumps(dict(found), sort_keys=True).encode())
 
 
-def _recording_digest(config: TrainConfig) -> str:
-    """Of the outcomes; of what decides them where they may become more."""
-    folder = paths.RECORDING if config.recording is None else Path(config.recording)
+def _recording_digests(config: TrainConfig) -> dict[str, str]:
+    """Of the outcomes; where they may become more, of what decides and draws them."""
+    folder = config.recording_folder
     key = RecordingKey.read(folder)
     if config.grow:
-        return key.digest
+        drawn_from = GrowingPresenter(folder).presentations
+        digest = sha256(str(drawn_from).encode())
+        return {RECORDING: key.digest, PRESENTATIONS: digest}
     trees = (path.read_bytes() for path in files.tree_files(folder))
-    return sha256(b"".join([key.digest.encode(), *trees]))
+    return {RECORDING: sha256(b"".join([key.digest.encode(), *trees]))}

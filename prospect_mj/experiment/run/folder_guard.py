@@ -1,7 +1,7 @@
 """Which folder a run may have, and that it has it alone."""
 
 import os
-from collections.abc import Collection
+from collections.abc import Callable
 from pathlib import Path
 
 from prospect_mj import storage
@@ -19,16 +19,19 @@ def check_free(path: Path) -> None:
     """
     # No more than a run that was killed at its birth.
     unborn = storage.temporary(path / config_file.NAME).name
-    check_vacant(path, {unborn}, f"choose another folder, or --resume {path}")
+    remedy = f"choose another folder, or --resume {path}"
+    check_vacant(path, remedy, lambda name: name == unborn)
 
 
-def check_vacant(path: Path, own: Collection[str], remedy: str) -> None:
+def check_vacant(
+    path: Path, remedy: str, is_own: Callable[[str], bool] = lambda name: False
+) -> None:
     """Refuse a folder that can't be taken, without touching it.
 
     Args:
         path: the folder.
-        own: names of what may be in it.
-        remedy: what to do where there is anything else.
+        remedy: what to do where there is anything else in it than what is its own.
+        is_own: whether something of a name may be in it; by default nothing may.
 
     Raises:
         RunFolderError: if `path` is a file, has something else in it, or can't be made.
@@ -36,7 +39,7 @@ def check_vacant(path: Path, own: Collection[str], remedy: str) -> None:
     try:
         if path.exists() and not path.is_dir():
             raise RunFolderError(f"{path} is not a folder")
-        if path.exists() and not all(file.name in own for file in path.iterdir()):
+        if path.exists() and not all(is_own(file.name) for file in path.iterdir()):
             raise RunFolderError(f"{path} is not empty; {remedy}")
         ancestry = (path.absolute(), *path.absolute().parents)
         nearest = next(folder for folder in ancestry if folder.exists())

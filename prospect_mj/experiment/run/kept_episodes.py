@@ -4,15 +4,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Self
 
-from prospect_mj.checks import check_integer
+from prospect_mj.checks import check_integer, whole_number
 from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.run.records import TrialRecord
 
 FOLDER = "episodes"
 _STEM, _SUFFIX = "trial-", ".npz"
 _WORDS = "all, failures or every=N"
-_LONG = 20
-"""More digits than any number has that could be meant."""
 
 
 @dataclass(frozen=True)
@@ -29,16 +27,16 @@ class Kept:
         Raises:
             InvalidValue: if it is none of them.
         """
-        name, _, number = words.partition("=")
-        match name, number:
-            case "all", "":
-                return cls(1)
-            case "failures", "":
-                return cls(None)
-            case "every", digits if digits.isdecimal() and len(digits) < _LONG:
-                check_integer("N of every=N", int(digits), 1, 1_000_000)
-                return cls(int(digits))
-        raise InvalidValue("--record", words, _WORDS)
+        if words == "all":
+            return cls(1)
+        if words == "failures":
+            return cls(None)
+        name, _, digits = words.partition("=")
+        number = whole_number(digits)
+        if name != "every" or number is None:
+            raise InvalidValue("--record", words, _WORDS)
+        check_integer("N of every=N", number, 1, 1_000_000)
+        return cls(number)
 
     def wants(self, trial: TrialRecord) -> bool:
         """Whether a trial is to be kept."""
@@ -52,6 +50,6 @@ def path_of(run: Path, trial: int) -> Path:
 
 def kept_trials(run: Path) -> list[int]:
     """Numbers of the trials whose episodes are in a run's folder."""
-    names = sorted((run / FOLDER).glob(f"{_STEM}*{_SUFFIX}"))
-    stems = [path.name[len(_STEM) : -len(_SUFFIX)] for path in names]
-    return [int(stem) for stem in stems if stem.isdecimal()]
+    names = [path.name for path in (run / FOLDER).glob(f"{_STEM}*{_SUFFIX}")]
+    numbers = (whole_number(name[len(_STEM) : -len(_SUFFIX)]) for name in names)
+    return sorted(number for number in numbers if number is not None)

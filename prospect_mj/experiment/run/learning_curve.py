@@ -1,5 +1,7 @@
 """Numbers that describe a learning curve, as the paper's section 3.2 reports them."""
 
+from typing import NamedTuple, Self
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -97,12 +99,28 @@ def first_near_optimal_window(n_actions: ArrayLike, window: int = WINDOW) -> int
     return int(reached[0]) if reached.size else None
 
 
-def near_optimal_trial(n_actions: NDArray[np.integer], pretrain: int) -> int | None:
-    """First of the first near-optimal `WINDOW` after the pretraining.
+class Course(NamedTuple):
+    """How the actions per trial of a run went."""
 
-    Args:
-        n_actions: (n_trials,) [actions].
-        pretrain: trials of pretraining.
-    """
-    reached = first_near_optimal_window(n_actions[pretrain:])
-    return None if reached is None else pretrain + reached
+    first_mean: float
+    """Mean actions of the first trials (at most `WINDOW`)."""
+    last_mean: float
+    """Mean actions of the last trials (at most `WINDOW`)."""
+    near_optimal: int | None
+    """First of the first `WINDOW` successive trials, after the pretraining, with a
+    near-optimal mean."""
+
+    @classmethod
+    def of(cls, n_actions: NDArray[np.integer], pretrain: int) -> Self:
+        """Measure a run.
+
+        Args:
+            n_actions: (n_trials,) [actions].
+            pretrain: trials of pretraining.
+        """
+        reached = first_near_optimal_window(n_actions[pretrain:])
+        return cls(
+            first_mean=float(np.mean(n_actions[:WINDOW])),
+            last_mean=float(np.mean(n_actions[-WINDOW:])),
+            near_optimal=None if reached is None else pretrain + reached,
+        )

@@ -1,6 +1,7 @@
 """The folder of a training run, which survives being killed at any moment.
 
     config.yaml         settings, versions and digests of what decides the numbers
+    episodes            the trials that were kept for replay (`episode_keeper`)
     actions.parquet     one row per action (`records.ActionRecord`)
     trials.parquet      one row per trial (`records.TrialRecord`)
     weights.npz         what `LinearQ.load` reads

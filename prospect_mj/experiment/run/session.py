@@ -10,7 +10,7 @@ from contextlib import closing
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.run import folder_guard, plots
@@ -20,14 +20,16 @@ from prospect_mj.experiment.run.environment import (
     MakeEnvironment,
     make_environment,
 )
+from prospect_mj.experiment.run.finishing import (
+    Keeper,
+    check_keepable,
+    keeper_of,
+    work_off,
+)
 from prospect_mj.experiment.run.kept_episodes import Kept
-from prospect_mj.experiment.run.progress import Progress
 from prospect_mj.experiment.run.run_folder import RunFolder
 from prospect_mj.experiment.run.summary import Summary
 from prospect_mj.experiment.run.training import train
-
-if TYPE_CHECKING:
-    from prospect_mj.experiment.run.episode_keeper import EpisodeKeeper
 
 Say = Callable[[str], None]
 
@@ -53,16 +55,16 @@ def start(
 
     Raises:
         RunFolderError: if `out` can't be had; nothing was written then.
+        RecordingError: if episodes of recorded physics are to be kept; the same.
     """
     if out is not None:
         folder_guard.check_free(out)
-    with (
-        closing(make_env(config)) as env,
-        RunFolder.create(out, config) as folder,
-    ):
-        keeper = _keeper(folder, env, kept)
-        say(f"training in {folder.path}; --resume {folder.path} goes on after a stop")
-        return _finish(folder, env, keeper)
+    with closing(make_env(config)) as env:
+        check_keepable(env, kept)
+        with RunFolder.create(out, config) as folder:
+            again = f"--resume {folder.path} goes on after a stop"
+            say(f"training in {folder.path}; {again}")
+            return _finish(folder, env, keeper_of(folder, env, kept))
 
 
 def resume(
@@ -94,7 +96,7 @@ def resume(
             return None
         with closing(make_env(config)) as env:
             # First, as it may refuse.
-            keeper = _keeper(folder, env, kept)
+            keeper = keeper_of(folder, env, kept)
             folder.extend(config)
             say(f"resuming {path} at trial {folder.n_trials} of {config.trials}")
             return _finish(folder, env, keeper)
@@ -134,30 +136,13 @@ def _flat(settings: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
     return flat
 
 
-def _finish(
-    folder: RunFolder, env: Environment, keeper: "EpisodeKeeper | None"
-) -> Summary:
+def _finish(folder: RunFolder, env: Environment, keeper: Keeper | None) -> Summary:
     """Run what is left, draw the learning curve and sum up."""
     first_trial, began = folder.n_trials, time.perf_counter()
-    with Progress(folder, folder.config.trials) as progress:
-        for finished in train(folder.config, env, folder.learner, first_trial):
-            if keeper is not None:
-                keeper.look_at(finished.trial)
-            folder.commit(finished)
-            progress.advance()
+    left = train(folder.config, env, folder.learner, first_trial)
+    work_off(left, folder, folder.config.trials, keeper)
     folder.write_curve(_curve(folder))
     return Summary.of(folder, first_trial, time.perf_counter() - began)
-
-
-def _keeper(
-    folder: RunFolder, env: Environment, kept: Kept | None
-) -> "EpisodeKeeper | None":
-    if kept is None:
-        return None
-    # Where nothing is to be seen, nothing of MuJoCo is loaded.
-    from prospect_mj.experiment.run.episode_keeper import EpisodeKeeper
-
-    return EpisodeKeeper(folder.path, folder.origin, env.watch(), kept)
 
 
 def _curve(folder: RunFolder) -> bytes:

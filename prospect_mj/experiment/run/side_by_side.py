@@ -6,21 +6,16 @@ of a cluster would write it wherever they are.
 
 import contextlib
 import io
-import os
-import time
 import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache, partial
 from pathlib import Path
-from threading import Thread
+from threading import RLock
+from typing import NamedTuple
 
-from prospect_mj.errors import (
-    ProspectError,
-    RunFolderError,
-    SimulationDiverged,
-    UnforeseenEvent,
-)
+from tqdm import tqdm
+
+from prospect_mj.errors import ProspectError, RunFolderError, is_inputs_fault
 from prospect_mj.experiment.run import session
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.environment import MakeEnvironment, make_environment
@@ -28,11 +23,6 @@ from prospect_mj.experiment.run.kept_episodes import Kept
 from prospect_mj.experiment.run.run_files import CONFIG
 from prospect_mj.experiment.run.run_folder import read_config
 from prospect_mj.recording.workers import Workers
-
-_EVERY = 0.5
-"""Between two looks at the process that started this one [s]."""
-
-_NO_INPUTS_FAULT = (SimulationDiverged, UnforeseenEvent, OSError)
 
 
 @dataclass(frozen=True)
@@ -47,6 +37,13 @@ class Wanted:
     """Which of its trials are kept as episodes; None: none."""
 
 
+class Warned(NamedTuple):
+    """What was to be told on the way; equal to what another process tells alike."""
+
+    words: str
+    category: type[Warning]
+
+
 @dataclass(frozen=True)
 class Ended:
     """How the work on a run ended."""
@@ -55,8 +52,7 @@ class Ended:
     """Its folder."""
     failure: Exception | None
     """What kept the run from its end; None if it is finished."""
-    warned: tuple[str, ...]
-    """What was to be told on the way."""
+    warned: tuple[Warned, ...]
 
 
 def folder_name(seed: int) -> str:
@@ -74,7 +70,7 @@ def finish(runs: Iterable[Wanted], jobs: int) -> Iterator[Ended]:
     Yields:
         Each run, as it ends. One that fails keeps no other from its end.
     """
-    yield from Workers(jobs).map(partial(_work, os.getpid()), runs)
+    yield from Workers(jobs).map(_work, runs)
 
 
 def check_all_finished(ended: Sequence[Ended]) -> None:
@@ -90,13 +86,14 @@ def check_all_finished(ended: Sequence[Ended]) -> None:
     words = "; ".join(f"{run.path.name}: {run.failure}" for run in failed)
     counted = f"{len(failed)} of {len(ended)} runs failed, the others are finished"
     told = f"{counted}: {words}"
-    blameless = all(isinstance(run.failure, _NO_INPUTS_FAULT) for run in failed)
-    raise ChildProcessError(told) if blameless else RunFolderError(told)
+    blamed = any(is_inputs_fault(run.failure) for run in failed)
+    raise RunFolderError(told) if blamed else ChildProcessError(told)
 
 
-def _work(parent: int, run: Wanted) -> Ended:
+def _work(run: Wanted) -> Ended:
     """Finish a run quietly, as others are told of beside it; keep what went wrong."""
-    _end_with(parent)
+    # Its usual lock is a semaphore, and Python complains where a process leaves one.
+    tqdm.set_lock(RLock())
     failure = None
     with (
         contextlib.redirect_stderr(io.StringIO()),
@@ -106,23 +103,12 @@ def _work(parent: int, run: Wanted) -> Ended:
             _finish(run)
         except (ProspectError, OSError) as error:
             failure = error
-    return Ended(run.path, failure, tuple(str(one.message) for one in caught))
+    return Ended(run.path, failure, warned_of(caught))
 
 
-@cache
-def _end_with(parent: int) -> None:
-    """Let this process end when that which started it was killed.
-
-    It would hold the folder, so that the same command again could not go on.
-    """
-    if os.getppid() == parent:
-        Thread(target=_outlive, args=(parent,), daemon=True).start()
-
-
-def _outlive(parent: int) -> None:
-    while os.getppid() == parent:
-        time.sleep(_EVERY)
-    os._exit(1)
+def warned_of(caught: Iterable[warnings.WarningMessage]) -> tuple[Warned, ...]:
+    """What can be told by another process of warnings that were caught."""
+    return tuple(Warned(str(one.message), one.category) for one in caught)
 
 
 def _finish(run: Wanted) -> None:

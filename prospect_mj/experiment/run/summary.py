@@ -6,11 +6,7 @@ from typing import Self
 
 import numpy as np
 
-from prospect_mj.experiment.run.learning_curve import (
-    NEAR_OPTIMAL,
-    WINDOW,
-    near_optimal_trial,
-)
+from prospect_mj.experiment.run.learning_curve import NEAR_OPTIMAL, WINDOW, Course
 from prospect_mj.experiment.run.run_folder import RunFolder
 
 
@@ -23,12 +19,9 @@ class Summary:
     pretrain: int
     """Of these, pretraining."""
     first_mean: float
-    """Mean actions of the first trials (at most `WINDOW`)."""
     last_mean: float
-    """Mean actions of the last trials (at most `WINDOW`)."""
     near_optimal: int | None
-    """First of the first `WINDOW` successive trials, after the pretraining, with a
-    near-optimal mean."""
+    """These three as in `Course`."""
     sim_seconds: float
     """Simulated time of the whole run [s]."""
     session_sim_seconds: float
@@ -47,9 +40,7 @@ class Summary:
         return cls(
             trials=len(actions),
             pretrain=pretrain,
-            first_mean=float(np.mean(actions[:WINDOW])),
-            last_mean=float(np.mean(actions[-WINDOW:])),
-            near_optimal=near_optimal_trial(actions, pretrain),
+            **Course.of(actions, pretrain)._asdict(),
             sim_seconds=float(np.sum(seconds)),
             session_sim_seconds=float(np.sum(seconds[first_trial:])),
             wall_seconds=wall_seconds,

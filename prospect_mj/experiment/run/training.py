@@ -11,6 +11,7 @@ from enum import IntEnum
 import numpy as np
 
 from prospect_mj.agent import LinearQ
+from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.run import trial_loop
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.environment import Environment
@@ -98,3 +99,9 @@ def _learn(config: TrainConfig, learner: LinearQ, transition: Transition) -> Non
         transition.terminated or cut_off,
         transition.next_info["action_mask"],
     )
+    # The error was a number; what it is multiplied by can make it none.
+    weights = learner.weights[transition.choice.action]
+    if not np.isfinite(weights).all():
+        size = float(np.abs(weights).max())
+        expected = "finite numbers (step size x |features|^2 must stay below 2)"
+        raise InvalidValue("largest of the learned weights", size, expected)

@@ -2,6 +2,7 @@
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from prospect_mj.experiment.estimate import LEVEL, band_of_few
@@ -45,6 +46,7 @@ def learning_curves(
     (axes,) = panels(heading, 4.5, (1,))
     set_trials([axes], heading, trials)
     axes.set_xlim(0, n_trials)
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_ylabel("actions per trial")
     axes.set_ylim(0, max_actions * 1.08)
     draw_levels(axes, max_actions)

@@ -2,6 +2,7 @@
 
 from itertools import chain
 
+from prospect_mj.checks import whole_number
 from prospect_mj.errors import InvalidValue
 from prospect_mj.recording.config import LARGEST_SEED
 
@@ -36,11 +37,7 @@ def parse_seeds(words: str) -> tuple[int, ...]:
 
 
 def _range(words: str, part: str) -> range:
-    numbers = [number.strip() for number in part.split(":")]
-    # `isdecimal` alone is true of digits of other scripts too, and lets no sign pass.
-    if len(numbers) > 3 or not all(n.isascii() and n.isdecimal() for n in numbers):
-        raise InvalidValue("--seeds", words, _EXPECTED)
-    values = [int(number) for number in numbers if len(number) < 20]
-    if len(values) < len(numbers) or values[2:] == [0]:
+    values = [whole_number(number.strip()) for number in part.split(":")]
+    if len(values) > 3 or None in values or values[2:] == [0]:
         raise InvalidValue("--seeds", words, _EXPECTED)
     return range(values[0], values[0] + 1) if len(values) == 1 else range(*values)

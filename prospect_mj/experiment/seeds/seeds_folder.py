@@ -40,15 +40,17 @@ def check(out: Path, runs: Sequence[Wanted]) -> None:
         RunFolderError: if `out` is a file, has something else in it, or can't be made;
             or a run in it is another one or can't be gone on with.
     """
-    own = {*_OWN, *(temporary(out / name).name for name in _OWN)}
-    if out.is_dir():
-        own |= {file.name for file in out.iterdir() if _SEED.fullmatch(file.name)}
-    folder_guard.check_vacant(out, own, "choose another folder with --out")
+    folder_guard.check_vacant(out, "choose another folder with --out", _is_own)
     for run in runs:
         if (run.path / CONFIG).exists():
             check_same_run(run.path, read_config(run.path), run.config)
         else:
             folder_guard.check_free(run.path)
+
+
+def _is_own(name: str) -> bool:
+    own = {*_OWN, *(temporary(Path(file)).name for file in _OWN)}
+    return name in own or _SEED.fullmatch(name) is not None
 
 
 def is_finished(run: Wanted) -> bool:
@@ -60,6 +62,8 @@ def is_finished(run: Wanted) -> bool:
 def n_finished(run: Path) -> int:
     """Finished trials of a run, which another process may be adding to."""
     try:
-        return pq.read_metadata(run / TRIALS).num_rows
+        # Opened here: pyarrow would see an address in a folder called s3:b.
+        with (run / TRIALS).open("rb") as stream:
+            return pq.read_metadata(stream).num_rows
     except (OSError, ArrowException):
         return 0

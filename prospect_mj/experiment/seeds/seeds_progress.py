@@ -20,14 +20,16 @@ class SeedsProgress(Closing):
 
     Args:
         runs: folders of the runs.
-        total: trials of all of them.
+        trials: that are wanted of each; one that was made longer counts as many.
+        noun: what the runs are called.
     """
 
-    def __init__(self, runs: Sequence[Path], total: int) -> None:
+    def __init__(self, runs: Sequence[Path], trials: int, noun: str = "seeds") -> None:
         """Show what is there already, and look again from time to time."""
-        self._runs, self._n_ended = runs, 0
+        self._runs, self._trials, self._noun = runs, trials, noun
+        self._n_ended = 0
         self._bar = tqdm(
-            total=total,
+            total=trials * len(runs),
             initial=self._n_trials(),
             desc="trials",
             unit="trial",
@@ -62,9 +64,9 @@ class SeedsProgress(Closing):
 
     def _show(self) -> None:
         self._bar.set_postfix_str(
-            f"{self._n_ended} of {len(self._runs)} seeds", refresh=False
+            f"{self._n_ended} of {len(self._runs)} {self._noun}", refresh=False
         )
         self._bar.update(self._n_trials() - self._bar.n)
 
     def _n_trials(self) -> int:
-        return sum(map(n_finished, self._runs))
+        return sum(min(n_finished(run), self._trials) for run in self._runs)

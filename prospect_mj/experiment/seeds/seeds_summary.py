@@ -10,8 +10,9 @@ from prospect_mj.experiment.estimate import Estimate, mean_of_few
 from prospect_mj.experiment.paper.report import markdown
 from prospect_mj.experiment.run.learning_curve import (
     NEAR_OPTIMAL,
+    OPTIMUM,
     WINDOW,
-    near_optimal_trial,
+    Course,
 )
 from prospect_mj.experiment.text_table import aligned
 from prospect_mj.experiment.view.run_view import RunView
@@ -23,12 +24,9 @@ class SeedFigures:
 
     seed: int
     first_mean: float
-    """Mean actions of the first trials (at most `WINDOW`)."""
     last_mean: float
-    """Mean actions of the last trials (at most `WINDOW`)."""
     near_optimal: int | None
-    """First of the first `WINDOW` successive trials, after the pretraining, with a
-    near-optimal mean."""
+    """These three as in `Course`."""
     solved: float
     """Share of the last trials (at most `WINDOW`) in which the jar was inserted."""
 
@@ -38,9 +36,7 @@ class SeedFigures:
         n_actions = run.trials["n_actions"].to_numpy()
         return cls(
             seed=run.config.seed,
-            first_mean=float(np.mean(n_actions[:WINDOW])),
-            last_mean=float(np.mean(n_actions[-WINDOW:])),
-            near_optimal=near_optimal_trial(n_actions, run.config.pretrain),
+            **Course.of(n_actions, run.config.pretrain)._asdict(),
             solved=float(np.mean(run.trials["solved"].to_numpy()[-WINDOW:])),
         )
 
@@ -49,7 +45,8 @@ class SeedFigures:
 class SeedsSummary:
     """Figures of several runs of one configuration.
 
-    Means have Student's intervals: of few seeds a bootstrap would be too sure.
+    Means have Student's intervals, within what can be: of few seeds a bootstrap would
+    be too sure.
     """
 
     trials: int
@@ -68,12 +65,17 @@ class SeedsSummary:
         """Sum up finished runs."""
         seeds = tuple(SeedFigures.of(run) for run in runs)
         reached = [one.near_optimal for one in seeds if one.near_optimal is not None]
+        config, n_trials = runs[0].config, runs[0].n_trials
+        # No trial is shorter or longer, so no mean is.
+        lengths = OPTIMUM, config.max_actions
         return cls(
-            trials=runs[0].n_trials,
+            trials=n_trials,
             seeds=seeds,
-            first_mean=mean_of_few([one.first_mean for one in seeds]),
-            last_mean=mean_of_few([one.last_mean for one in seeds]),
-            near_optimal=mean_of_few(reached),
+            first_mean=mean_of_few([one.first_mean for one in seeds]).within(*lengths),
+            last_mean=mean_of_few([one.last_mean for one in seeds]).within(*lengths),
+            near_optimal=mean_of_few(reached).within(
+                config.pretrain, n_trials - WINDOW
+            ),
             reached=len(reached),
             solved=mean_of_few([one.solved for one in seeds]).within(0, 1),
         )

@@ -2,6 +2,7 @@
 
 import warnings
 from collections.abc import Callable, Collection, Iterable, Sequence
+from contextlib import closing
 from dataclasses import asdict, replace
 from pathlib import Path
 
@@ -12,8 +13,9 @@ from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.run import side_by_side
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.environment import MakeEnvironment, make_environment
+from prospect_mj.experiment.run.finishing import check_keepable
 from prospect_mj.experiment.run.kept_episodes import Kept
-from prospect_mj.experiment.run.side_by_side import Wanted, folder_name
+from prospect_mj.experiment.run.side_by_side import Wanted, Warned, folder_name
 from prospect_mj.experiment.seeds import seeds_folder
 from prospect_mj.experiment.seeds.curves_figure import learning_curves
 from prospect_mj.experiment.seeds.seeds_folder import CURVES, FIGURES, SUMMARY
@@ -49,8 +51,8 @@ def train_seeds(
         kept: which trials of each are kept as episodes; None: none.
 
     Raises:
-        RunFolderError: if `out` can't be had, or something else is in it: nothing was
-            written then; or if a run failed.
+        RecordingError: if episodes of recorded physics are to be kept.
+        RunFolderError: if `out` can't be had; nothing was written; or a run failed.
         ChildProcessError: if machine or physics failed in a run.
     """
     runs = [
@@ -68,30 +70,33 @@ def train_seeds(
         return _sum_up(out, [RunView.read(run.path) for run in runs])
 
 
-def _told_at_start(run: Wanted) -> set[str]:
+def _told_at_start(run: Wanted) -> set[Warned]:
     """What is wrong with the physics is found, and told, before anything is written."""
-    with warnings.catch_warnings(record=True) as caught:
-        run.make_env(run.config).close()
-    told = [str(one.message) for one in caught]
+    with (
+        warnings.catch_warnings(record=True) as caught,
+        closing(run.make_env(run.config)) as env,
+    ):
+        check_keepable(env, run.kept)
+    told = side_by_side.warned_of(caught)
     _warn(told)
     return set(told)
 
 
-def _warn(told: Iterable[str]) -> None:
+def _warn(told: Iterable[Warned]) -> None:
     """Tell once what several runs say alike."""
-    for words in dict.fromkeys(told):
-        warnings.warn(words, stacklevel=3)
+    for one in dict.fromkeys(told):
+        warnings.warn(one.words, one.category, stacklevel=3)
 
 
-def _finish(runs: Sequence[Wanted], jobs: int, told: Collection[str]) -> None:
+def _finish(runs: Sequence[Wanted], jobs: int, told: Collection[Warned]) -> None:
     """Bring runs to their end; what they warn of is told, but for what was."""
-    total = sum(run.config.trials for run in runs)
     ended = []
-    with SeedsProgress([run.path for run in runs], total) as progress:
+    trials = runs[0].config.trials
+    with SeedsProgress([run.path for run in runs], trials) as progress:
         for run in side_by_side.finish(runs, min(jobs, len(runs))):
             ended.append(run)
             progress.ended(run)
-    _warn(words for run in ended for words in run.warned if words not in told)
+    _warn(one for run in ended for one in run.warned if one not in told)
     side_by_side.check_all_finished(ended)
 
 

@@ -6,7 +6,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from prospect_mj.recording.workers import Backend, Workers
+from prospect_mj.recording.workers import Workers
 
 Tick = Callable[[int], object]
 """Told of how many more seeds the work is done."""
@@ -18,7 +18,6 @@ def in_parallel(
     study: Callable[[Sequence[int]], list[_Found]],
     seeds: Sequence[int],
     jobs: int,
-    backend: Backend = "local",
     tick: Tick = lambda n: None,
 ) -> list[_Found]:
     """What a study finds at each of the seeds, in their order.
@@ -28,14 +27,13 @@ def in_parallel(
             each share compiles the scene once.
         seeds: of all shares.
         jobs: processes.
-        backend: where they are.
         tick: called as the shares are done.
     """
     n_shares = min(jobs * 8, len(seeds))
     shares = np.array_split(np.array(seeds), n_shares)
     numbered = [(number, share.tolist()) for number, share in enumerate(shares)]
     work, parts = partial(_numbered, study), {}
-    for number, found in Workers(jobs, backend).map(work, numbered):
+    for number, found in Workers(jobs).map(work, numbered):
         parts[number] = found
         tick(len(shares[number]))
     return [found for _, part in sorted(parts.items()) for found in part]

@@ -12,15 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from prospect_mj.actions.action import Action, ActionResult
+from prospect_mj.recording.hands import GRASPS, INSERTIONS, NUMBERS, SWAPS
 from prospect_mj.robot import names
 from prospect_mj.robot.names import Side
 from prospect_mj.sim.audit import Audit, Findings
 from prospect_mj.task.pick_place import PickPlaceTask, TaskSettings
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
-
-_GRASP = {"left": Action.GRASP_LEFT, "right": Action.GRASP_RIGHT}
-_SWAP = {"left": Action.SWAP_LEFT_TO_RIGHT, "right": Action.SWAP_RIGHT_TO_LEFT}
-_INSERT = {"left": Action.INSERT_LEFT, "right": Action.INSERT_RIGHT}
 
 
 @dataclass(frozen=True)
@@ -51,11 +48,10 @@ class SkillSummary:
 
 def sequences(orientation: Orientation) -> tuple[tuple[Action, ...], ...]:
     """The two sequences of actions for a side of the lid."""
-    good: Side = orientation
-    bad = names.other(good)
+    good, bad = NUMBERS[orientation], NUMBERS[names.other(orientation)]
     return (
-        (_GRASP[good], _INSERT[good]),
-        (_GRASP[bad], _INSERT[bad], _SWAP[bad], _INSERT[good]),
+        (GRASPS[good], INSERTIONS[good]),
+        (GRASPS[bad], INSERTIONS[bad], SWAPS[bad], INSERTIONS[good]),
     )
 
 
@@ -82,8 +78,8 @@ def _follow(
     for action in sequence:
         holder = task.holder
         outcome = task.execute(action)
-        insertion = action in _INSERT.values()
-        wrong_way = insertion and action is not _INSERT[orientation]
+        insertion = action in INSERTIONS.values()
+        wrong_way = insertion and action is not INSERTIONS[NUMBERS[orientation]]
         passed = _passed(task, outcome.result, insertion, wrong_way, holder)
         runs.append(
             SkillRun(

@@ -4,7 +4,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import yaml
 
@@ -21,6 +21,7 @@ NAME = "evaluation.yaml"
 
 _MARK, _FORMAT = "prospect_mj_evaluation", 1
 _EVALUATION = "evaluation"
+_Settings = TypeVar("_Settings")
 
 
 @dataclass(frozen=True)
@@ -124,20 +125,22 @@ def read(folder: Path) -> StoredEvaluation:
     if content.get(_MARK) != _FORMAT:
         raise RunFolderError(f"{path} is not the description of an evaluation")
     stored = config_file.stored_in(path, content)
-    identity = content.get(_EVALUATION)
-    if stored.sha256.get(_EVALUATION) != _digest(identity):
-        raise RunFolderError(f"{path}: its settings were edited")
     try:
+        identity = content[_EVALUATION]
+        if stored.sha256[_EVALUATION] != _digest(identity):
+            raise RunFolderError(f"{path}: its settings were edited")
         return StoredEvaluation(
             _understood(identity["settings"], EvaluationSettings),
             _understood(identity["learned"], Learned),
             stored,
         )
+    except RunFolderError:
+        raise
     except (ProspectError, KeyError, TypeError) as error:
         raise RunFolderError(f"{path} is damaged: {error}") from error
 
 
-def _understood(plain: Mapping[str, Any], settings: type) -> Any:  # noqa: ANN401
+def _understood(plain: Mapping[str, Any], settings: type[_Settings]) -> _Settings:
     check_names(plain, settings)
     return settings(**plain)
 

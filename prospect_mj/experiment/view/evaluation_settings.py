@@ -27,7 +27,6 @@ class _Stream(IntEnum):
 
     PRESENTATION = 0
     POLICY = 1
-    BOOTSTRAP = 2
 
 
 @dataclass(frozen=True)
@@ -71,10 +70,6 @@ class EvaluationSettings:
     def policy_rng(self, trial: int) -> np.random.Generator:
         """Breaks ties between actions of equal value."""
         return np.random.default_rng(self._seed(trial, _Stream.POLICY))
-
-    def bootstrap_rng(self) -> np.random.Generator:
-        """Resamples trials."""
-        return np.random.default_rng(self._seed(0, _Stream.BOOTSTRAP))
 
     def _seed(self, trial: int, stream: _Stream) -> np.random.SeedSequence:
         # Keys of training have one number less.

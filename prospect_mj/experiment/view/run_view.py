@@ -6,6 +6,7 @@ run can be viewed like a run.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Self
 
@@ -17,10 +18,12 @@ from prospect_mj.errors import ProspectError, RunFolderError
 from prospect_mj.experiment.run import config_file, fingerprint, run_files
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.config_file import StoredConfig
+from prospect_mj.experiment.run.kept_episodes import kept_trials
 from prospect_mj.experiment.run.training import presentation_seed
 from prospect_mj.experiment.view import evaluation_file
 from prospect_mj.experiment.view.evaluation_file import StoredEvaluation
 from prospect_mj.experiment.view.evaluation_state import read_state
+from prospect_mj.recording.recording import Recording
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,6 +74,21 @@ class RunView:
         """Finished trials."""
         return self.trials.num_rows
 
+    @property
+    def kept_trials(self) -> list[int]:
+        """The finished trials whose episodes were kept, ascending."""
+        # The episode of a trial is there before the trial is finished.
+        return [n for n in kept_trials(self.path) if n < self.n_trials]
+
+    @cached_property
+    def recording(self) -> Recording:
+        """The recorded physics that its trials were of; read once.
+
+        Raises:
+            RecordingError: if it is gone or damaged.
+        """
+        return Recording.load(self.config.recording_folder)
+
     def check_is_run(self) -> None:
         """Refuse an evaluation, in which nothing was learned.
 
@@ -96,7 +114,8 @@ class RunView:
         Raises:
             ProspectError: if something of it is missing.
         """
-        return config_file.differences(self.stored, self.config)
+        found = config_file.differences(self.stored, self.config)
+        return [difference.name for difference in found]
 
 
 def _config(path: Path, stored: StoredConfig) -> TrainConfig:

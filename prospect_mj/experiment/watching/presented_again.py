@@ -5,20 +5,18 @@ drew by that seed the number of a presentation; what that one looks like follows
 the recording's seed and this number.
 """
 
-from pathlib import Path
+from contextlib import ExitStack
 
 import numpy as np
 
-from prospect_mj import paths
 from prospect_mj.episodes.recorder import WatchedTask
+from prospect_mj.errors import RunFolderError
+from prospect_mj.experiment.run import fingerprint
 from prospect_mj.experiment.run.environment import make_environment
 from prospect_mj.experiment.view.run_view import RunView
-from prospect_mj.recording import files
-from prospect_mj.recording.config import Extent
 from prospect_mj.recording.grower import presentation_rng, task_settings
 from prospect_mj.recording.key import RecordingKey
-from prospect_mj.recording.presenter import Presenter
-from prospect_mj.recording.recording import Recording
+from prospect_mj.recording.presenter import GrowingPresenter, Presenter
 from prospect_mj.task.pick_place import PickPlaceTask
 from prospect_mj.task.presentation import Orientation
 
@@ -32,28 +30,28 @@ def present_again(run: RunView, trial: int, orientation: Orientation) -> Watched
         orientation: the side on which the lid lay.
 
     Raises:
-        RecordingError: if the run's recording is gone or damaged.
+        RunFolderError, RecordingError: as `drawn_presentation`.
     """
     if run.config.physics == "recorded":
         return _recorded(run, trial, orientation)
     env = make_environment(run.config)
-    watched = env.watch()
-    options = {"orientation": orientation, "trial": trial}
-    env.reset(seed=run.presentation_seed(trial), options=options)
+    with ExitStack() as failing:
+        failing.callback(env.close)
+        watched = env.watch()
+        options = {"orientation": orientation, "trial": trial}
+        env.reset(seed=run.presentation_seed(trial), options=options)
+        failing.pop_all()
     return watched
 
 
-def recording_of(run: RunView) -> Path:
-    """Folder of the recording that a run learned from."""
-    chosen = run.config.recording
-    return paths.RECORDING if chosen is None else Path(chosen)
-
-
 def _recorded(run: RunView, trial: int, orientation: Orientation) -> WatchedTask:
-    config = RecordingKey.read(recording_of(run)).config
+    config = RecordingKey.read(run.config.recording_folder).config
     number = drawn_presentation(run, trial, orientation)
     watched = WatchedTask(PickPlaceTask(task_settings(config)))
-    watched.reset(orientation, presentation_rng(config, orientation, number))
+    with ExitStack() as failing:
+        failing.callback(watched.close)
+        watched.reset(orientation, presentation_rng(config, orientation, number))
+        failing.pop_all()
     return watched
 
 
@@ -64,13 +62,25 @@ def drawn_presentation(run: RunView, trial: int, orientation: Orientation) -> in
         run: a run of recorded physics.
         trial: its number.
         orientation: the side on which the lid lay.
+
+    Raises:
+        RunFolderError: if the recording grew so that another one would be drawn.
+        RecordingError: if it is gone or damaged.
     """
     # Gymnasium seeds an environment's generator in the same way.
     rng = np.random.default_rng(run.presentation_seed(trial))
-    folder = recording_of(run)
     if run.config.grow:
-        n_presentations = max(Extent.presentations, files.n_presentations(folder))
-        return int(rng.integers(n_presentations))
-    recording = Recording.load(folder)
+        _check_draws_alike(run)
+        return GrowingPresenter(run.config.recording_folder).draw(rng)
+    recording = run.recording
     drawn = Presenter(recording, run.config.max_actions).draw(orientation, rng)
     return int(recording.presentations.number[drawn])
+
+
+def _check_draws_alike(run: RunView) -> None:
+    """Refuse to show something else; the outcomes alone might not tell."""
+    if fingerprint.PRESENTATIONS in run.outdated():
+        raise RunFolderError(
+            f"{run.path}: what its trials showed can't be presented again; changed "
+            f"since: {fingerprint.PRESENTATIONS}"
+        )

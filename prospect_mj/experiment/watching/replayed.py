@@ -1,8 +1,9 @@
 """The episodes of a run that are to be replayed, each with what the learner thought."""
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,7 @@ from prospect_mj.episodes import episode_file
 from prospect_mj.episodes.episode import Episode
 from prospect_mj.errors import EpisodeError, InvalidValue, RunFolderError
 from prospect_mj.experiment.paper.populations.strategies import Strategy, classify
-from prospect_mj.experiment.run.kept_episodes import kept_trials, path_of
+from prospect_mj.experiment.run.kept_episodes import path_of
 from prospect_mj.experiment.view.run_view import RunView
 from prospect_mj.experiment.watching.resimulate import resimulate
 from prospect_mj.recording.hands import NUMBERS
@@ -22,7 +23,8 @@ Say = Callable[[str], None]
 
 MOST_SIMULATED = 10
 """Failures that are simulated again, if none was kept."""
-_PRODUCT = ".rrd"
+PRODUCT = ".rrd"
+"""What names of replays end in."""
 _WORDS = {
     Strategy.OPTIMAL: "optimal",
     Strategy.EARLY: "early correction",
@@ -44,14 +46,19 @@ class Choice:
 
     def __post_init__(self) -> None:
         """Refuse more than one choice of the same thing."""
-        if self.given > 1:
+        if len(self.given) > 1:
             expected = "one of --trial, --worst, --failures"
-            raise InvalidValue("trials", "more than one choice", expected)
+            raise InvalidValue("choice of trials", " ".join(self.given), expected)
 
     @property
-    def given(self) -> int:
-        """How many of the three are given."""
-        return sum([self.trial is not None, self.worst, self.failures])
+    def given(self) -> list[str]:
+        """Those of the three that are given, as a user wrote them."""
+        said = {
+            f"--trial {self.trial}": self.trial is not None,
+            "--worst": self.worst,
+            "--failures": self.failures,
+        }
+        return [words for words, is_given in said.items() if is_given]
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +67,10 @@ class Replayed:
 
     episode: Episode
     story: Story
+
+
+Fetch = Callable[[], Replayed]
+"""Reads a trial, or simulates it again: each by itself, as each may fail."""
 
 
 def chosen(run: RunView, choice: Choice) -> list[int]:
@@ -81,7 +92,7 @@ def chosen(run: RunView, choice: Choice) -> list[int]:
     if choice.worst:
         n_actions = run.trials["n_actions"].to_numpy()
         return [int(np.flatnonzero(n_actions == n_actions.max())[-1])]
-    kept = [number for number in kept_trials(run.path) if number < run.n_trials]
+    kept = run.kept_trials
     if choice.failures:
         return _failures(run, kept)
     return [kept[-1] if kept else run.n_trials - 1]
@@ -95,8 +106,8 @@ def _failures(run: RunView, kept: Sequence[int]) -> list[int]:
     return [n for n in unsolved if n in kept] or unsolved[-MOST_SIMULATED:]
 
 
-def of(path: Path, choice: Choice, say: Say) -> tuple[list[str], Iterator[Replayed]]:
-    """The trials that are to be replayed: a name for each, and how to get them.
+def of(path: Path, choice: Choice, say: Say) -> dict[str, Fetch]:
+    """The trials that are to be replayed: how to get each, by its name.
 
     Args:
         path: folder of a run or of an evaluation, or an episode by itself; of that one
@@ -105,52 +116,50 @@ def of(path: Path, choice: Choice, say: Say) -> tuple[list[str], Iterator[Replay
         say: told what takes some seconds.
 
     Raises:
-        RunFolderError, EpisodeError, InvalidValue, RecordingError: what can't be
-            replayed, and why.
+        RunFolderError, EpisodeError, InvalidValue: what can't be replayed, and why.
     """
-    if path.suffix == _PRODUCT and path.is_file():
+    if path.suffix == PRODUCT and path.is_file():
         expected = f"a run's folder or an episode; rerun {path} opens what was saved"
         raise InvalidValue("RUN", str(path), expected)
     if path.suffix == episode_file.SUFFIX and not os.path.isdir(path):
         if choice.given:
             expected = "none beside the file of one episode"
-            raise InvalidValue("choice of trials", "given", expected)
+            raise InvalidValue("choice of trials", *choice.given, expected)
         alone = Replayed(episode_file.read(path), Story(path.stem))
-        return [path.stem], iter([alone])
+        return {path.stem: lambda: alone}
     try:
         run = RunView.read(path)
         numbers = chosen(run, choice)
     except OSError as error:
         raise RunFolderError(f"{path} can't be read: {error.strerror}") from error
-    return [f"trial-{n:06d}" for n in numbers], replayed(run, numbers, say)
+    return {f"trial-{n:06d}": partial(replayed, run, n, say) for n in numbers}
 
 
-def replayed(run: RunView, trials: Sequence[int], say: Say) -> Iterator[Replayed]:
-    """Read the episodes, or simulate again those that were not kept.
+def replayed(run: RunView, number: int, say: Say) -> Replayed:
+    """Read the episode of a trial, or simulate the trial again if it was not kept.
 
     Args:
         run: the run.
-        trials: their numbers.
+        number: the trial's.
         say: told what takes some seconds.
 
     Raises:
-        EpisodeError: if one is damaged or of another run.
-        RunFolderError: if one can't be simulated again.
+        EpisodeError: if it is damaged or of another run.
+        RunFolderError: if it can't be simulated again.
         RecordingError: if the recording is gone that it was of.
     """
-    for number in trials:
-        actions = run.actions_of(number).to_pylist()
-        (trial,) = run.trials.slice(number, 1).to_pylist()
-        path = path_of(run.path, number)
-        if path.exists():
-            episode = _kept(path, run.origin)
-        else:
-            say(f"trial {number} was not kept: it is simulated again")
-            episode = resimulate(run, trial, actions)
-        decisions = [Decision(np.array(a["q_values"]), a["explored"]) for a in actions]
-        name = run.path.resolve().name
-        title = f"{name}, trial {number}: {strategy(trial, actions)}"
-        yield Replayed(episode, Story(title, decisions))
+    actions = run.actions_of(number).to_pylist()
+    (trial,) = run.trials.slice(number, 1).to_pylist()
+    path = path_of(run.path, number)
+    if path.exists():
+        episode = _kept(path, run.origin)
+    else:
+        say(f"trial {number} was not kept: it is simulated again")
+        episode = resimulate(run, trial, actions)
+    decisions = [Decision(np.array(a["q_values"]), a["explored"]) for a in actions]
+    name = run.path.resolve().name
+    title = f"{name}, trial {number}: {strategy(trial, actions)}"
+    return Replayed(episode, Story(title, decisions))
 
 
 def _kept(path: Path, origin: str) -> Episode:

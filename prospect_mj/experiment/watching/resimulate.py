@@ -9,7 +9,7 @@ from prospect_mj.actions.action import Action, ActionOutcome
 from prospect_mj.episodes.episode import Episode
 from prospect_mj.errors import ProspectError, RunFolderError
 from prospect_mj.experiment.view.run_view import RunView
-from prospect_mj.experiment.watching.presented_again import present_again, recording_of
+from prospect_mj.experiment.watching.presented_again import present_again
 from prospect_mj.recording.key import RecordingKey
 
 
@@ -53,7 +53,7 @@ def _what_changed(run: RunView) -> str:
     try:
         changed = run.outdated()
         if run.config.physics == "recorded":
-            key = RecordingKey.read(recording_of(run))
+            key = RecordingKey.read(run.config.recording_folder)
             changed += key.differences(RecordingKey.present(key.config))
     except ProspectError as error:
         changed = [str(error)]

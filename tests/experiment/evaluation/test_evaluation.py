@@ -1,21 +1,30 @@
 """The greedy policy of a run on fresh presentations, killed and gone on with."""
 
 import shutil
+from datetime import date
 from pathlib import Path
 
 import numpy as np
 import pytest
+import yaml
 from ideal_env import IdealEnv, refuse
 from left_handed import go_on, left_handed
 
-from prospect_mj.errors import FolderInUse, RenderingUnavailable, RunFolderError
+from prospect_mj.errors import (
+    FolderInUse,
+    RecordingError,
+    RenderingUnavailable,
+    RunFolderError,
+)
 from prospect_mj.experiment.evaluation import evaluate as module
 from prospect_mj.experiment.evaluation.evaluate import evaluate
 from prospect_mj.experiment.evaluation.evaluation_folder import EvaluationFolder
+from prospect_mj.experiment.run.kept_episodes import Kept
 from prospect_mj.experiment.run.run_folder import RunFolder
 from prospect_mj.experiment.run.training import Stream, trial_seed
 from prospect_mj.experiment.view.evaluation_settings import EvaluationSettings
 from prospect_mj.experiment.view.run_view import RunView
+from prospect_mj.tables import parquet
 
 SETTINGS = EvaluationSettings(trials=3, seed=5)
 
@@ -208,6 +217,16 @@ def test_nothing_is_written_where_nothing_can_be_simulated(run):
     assert not (run.path / "evaluations").exists()
 
 
+def test_nothing_is_written_where_no_episode_can_be_kept(run):
+    class Blind(IdealEnv):
+        def watch(self):
+            raise RecordingError("nothing to be seen")
+
+    with pytest.raises(RecordingError):
+        evaluate(run, SETTINGS, make_env=Blind, say=lambda _: None, kept=Kept(1))
+    assert not (run.path / "evaluations").exists()
+
+
 def test_an_evaluation_is_no_run(run):
     view = quietly(run)
     with pytest.raises(RunFolderError, match="is an evaluation, not a run"):
@@ -249,7 +268,29 @@ def test_an_edited_one_is_refused(run, old, new):
         RunView.read(view.path)
 
 
+def test_a_description_of_something_else_is_refused(run):
+    view = quietly(run)
+    file = view.path / "evaluation.yaml"
+    content = yaml.safe_load(file.read_text())
+    # A day, which YAML knows and JSON does not.
+    for place, name in ((content, "evaluation"), (content["sha256"], "learner")):
+        kept = place[name]
+        place[name] = date(2002, 6, 12)
+        file.write_text(yaml.safe_dump(content, sort_keys=False))
+        with pytest.raises(RunFolderError, match=r"evaluation.yaml"):
+            RunView.read(view.path)
+        place[name] = kept
+
+
 def test_tables_that_do_not_fit_together_are_refused(run):
+    view = quietly(run)
+    actions = view.actions.slice(1)
+    (view.path / "actions.parquet").write_bytes(parquet(actions, view.origin))
+    with pytest.raises(RunFolderError, match="don't fit together"):
+        RunView.read(view.path)
+
+
+def test_a_table_of_another_evaluation_is_refused(run):
     view = quietly(run)
     other = quietly(run, EvaluationSettings(trials=2, seed=5), run.path / "other")
     (view.path / "actions.parquet").write_bytes(

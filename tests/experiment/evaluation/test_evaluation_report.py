@@ -1,6 +1,7 @@
 """The figures of an evaluation, and what is said of them."""
 
 import shlex
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -39,10 +40,32 @@ def test_figures_are_of_each_orientation_and_of_all(report):
     assert right.strategies == {"optimal": 0, "early": 0, "late": 0, "other": 4}
 
 
-def test_each_orientation_is_resampled_by_itself(report):
-    # Each always takes the same: that one takes longer is no uncertainty of the mean.
+def test_that_one_orientation_takes_longer_is_no_uncertainty_of_the_mean(report):
     actions = report.outcomes["all"].actions
     assert (actions.low, actions.high) == (6.0, 6.0)
+
+
+def test_the_text_says_that_an_interval_without_width_is_no_certainty(report, view):
+    assert "no trials differed, which of few says little" in text(report)
+    changed = with_lengths(view, [2, 10, 3, 9, 2, 10, 4, 10])
+    assert "no trials differed" not in text(Report.of(changed))
+
+
+def test_the_interval_of_a_mean_holds_no_length_that_can_not_be(view):
+    changed = with_lengths(view, [2, 10, 2, 10, 2, 10, 3, 9])
+    outcomes = Report.of(changed).outcomes
+    left, right = outcomes["left"].actions, outcomes["right"].actions
+    # Student's of 2, 2, 2, 3 is 2.25 give or take 0.8.
+    assert (left.low, left.high) == (2, pytest.approx(2.25 + 3.182446 / 4))
+    assert (right.low, right.high) == (pytest.approx(9.75 - 3.182446 / 4), 10)
+
+
+def with_lengths(view, n_actions):
+    """The same trials with other numbers of actions."""
+    index = view.trials.schema.get_field_index("n_actions")
+    taken = np.array(n_actions, np.int16)
+    changed = view.trials.set_column(index, "n_actions", [taken])
+    return replace(view, trials=changed)
 
 
 def test_failures_are_listed_with_the_command_that_replays_each(report, view):
@@ -70,10 +93,8 @@ def test_the_text_has_the_figures_and_the_commands(report, view):
 
 
 def test_longer_ones_are_the_solved_that_took_more_than_the_optimum(view, report):
-    index = view.trials.schema.get_field_index("n_actions")
-    taken = np.array([2, 10, 3, 10, 2, 10, 4, 10], np.int16)
-    changed = view.trials.set_column(index, "n_actions", [taken])
-    longer = Report.of(type(view)(**{**vars(view), "trials": changed})).longer
+    changed = with_lengths(view, [2, 10, 3, 10, 2, 10, 4, 10])
+    longer = Report.of(changed).longer
     assert [one.trial for one in longer] == [2, 6]
 
 

@@ -1,5 +1,6 @@
 """Making runs on live physics: started, resumed, and none held up by another."""
 
+import json
 import shutil
 import warnings
 
@@ -18,7 +19,7 @@ from prospect_mj.experiment.paper.live.live_runs import LiveRuns
 from prospect_mj.experiment.run import session
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.run_folder import RunFolder
-from prospect_mj.experiment.run.side_by_side import Ended, check_all_finished
+from prospect_mj.experiment.run.side_by_side import Ended, Warned, check_all_finished
 from prospect_mj.sim import gl
 
 
@@ -139,7 +140,9 @@ def test_warnings_are_handed_on(tmp_path):
             warnings.warn(f"lamp {config.seed} is dim", stacklevel=1)
 
     ended = advance(tmp_path, 2, 3, Dim)
-    assert [one.warned for one in ended] == [("lamp 0 is dim",), ("lamp 1 is dim",)]
+    assert [one.warned for one in ended] == [
+        (Warned(f"lamp {seed} is dim", UserWarning),) for seed in (0, 1)
+    ]
 
 
 @pytest.mark.parametrize(
@@ -182,7 +185,50 @@ def test_the_command_makes_the_runs_and_says_where(ideal, folder, capsys):
     assert command.main(options(folder)) == 0
     said = capsys.readouterr()
     assert said.out == f"{folder}: 3 runs are finished\n"
-    assert said.err == ""
+    lines = [f"seed-000{seed} finished, {seed + 1} of 3" for seed in range(3)]
+    assert said.err.splitlines() == lines
+
+
+def test_one_run_is_told_of_as_one(ideal, tmp_path, capsys):
+    live = tmp_path / "live"
+    words = f"--runs 1 --trials 2 --jobs 1 --out {live}"
+    assert command.main(words.split()) == 0
+    assert capsys.readouterr().out == f"{live}: 1 run is finished\n"
+
+
+def test_on_a_terminal_trials_are_counted(ideal, folder, capsys, monkeypatch):
+    """Runs take minutes each; of one that was made longer no more than are wanted."""
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    words = ["--runs", "3", "--trials", "15", "--jobs", "1", "--out", str(folder)]
+    assert command.main(words) == 0
+    bar = capsys.readouterr().err
+    # The longer one, and the twelve trials of the one that was stopped.
+    assert " 27/45 " in bar
+    assert " 45/45 " in bar
+    assert "3 of 3 runs" in bar
+    assert "seed" not in bar
+
+
+def test_a_program_gets_one_json_object(ideal, folder, capsys):
+    """Of every run what several trained at once say of each."""
+    assert command.main([*options(folder), "--json"]) == 0
+    said = capsys.readouterr()
+    found = json.loads(said.out)
+    assert found["path"] == str(folder)
+    assert [one["seed"] for one in found["runs"]] == [0, 1, 2]
+    for one in found["runs"]:
+        n_actions = actions(folder / f"seed-{one['seed']:04d}")
+        assert one["path"] == str(folder / f"seed-{one['seed']:04d}")
+        assert one["trials"] == len(n_actions) == 20
+        assert one["last_mean"] == pytest.approx(sum(n_actions) / 20)
+
+
+def test_a_program_gets_no_object_where_a_run_failed(ideal, folder, capsys):
+    (folder / "seed-0001").touch()
+    assert command.main([*options(folder), "--json"]) == 2
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert said.err.splitlines()[-1].startswith("error: 1 of 3 runs failed")
 
 
 def test_the_command_tells_all_that_failed_in_one_line(ideal, folder, capsys):
@@ -191,7 +237,10 @@ def test_the_command_tells_all_that_failed_in_one_line(ideal, folder, capsys):
     assert command.main(options(folder)) == 2
     said = capsys.readouterr()
     assert said.out == ""
-    (line,) = said.err.splitlines()
+    *ended, line = said.err.splitlines()
+    assert [words.split(",")[0] for words in ended] == [
+        *("seed-0000 failed", "seed-0001 failed", "seed-0002 finished"),
+    ]
     assert line.startswith("error: 2 of 3 runs failed")
     assert "seed-0000: " in line
     assert "seed-0001: " in line
@@ -200,20 +249,22 @@ def test_the_command_tells_all_that_failed_in_one_line(ideal, folder, capsys):
 
 def test_the_command_hands_warnings_on(ideal, tmp_path, capsys, monkeypatch):
     def warned(wanted, out, jobs):
-        yield Ended(out / "seed-0000", None, ("the lamp is dim",))
+        told = (Warned("the lamp is dim", RuntimeWarning),)
+        yield Ended(out / "seed-0000", None, told)
 
     monkeypatch.setattr(live_runs, "advance", warned)
     assert command.main(options(tmp_path)) == 0
-    assert capsys.readouterr().err == "warning: seed-0000: the lamp is dim\n"
+    line = capsys.readouterr().err.splitlines()[-1]
+    assert line == "warning: seed-0000: the lamp is dim"
 
 
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        ("--runs 0", "runs is 0"),
-        ("--runs -1", "runs is -1"),
-        ("--trials 0", "trials is 0"),
-        ("--jobs 0", "jobs is 0"),
+        ("--runs 0", "--runs is 0"),
+        ("--runs -1", "--runs is -1"),
+        ("--trials 0", "--trials is 0"),
+        ("--jobs 0", "--jobs is 0"),
         ("--backend ray", "--backend"),
         ("--out notes.txt", "notes.txt is not a folder"),
         ("--out notes.txt/live", "notes.txt/live can't be made"),

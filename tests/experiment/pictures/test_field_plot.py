@@ -85,5 +85,9 @@ def test_the_corridor_decays_at_the_rate_of_its_difference_equation():
     assert log_u.min() < np.log10(np.finfo(float).smallest_subnormal)
 
 
-def test_the_picture_is_drawn_twice_alike(shown):
-    assert png(field_plot.drawing(shown)) == png(field_plot.drawing(shown))
+def test_the_picture_is_drawn_twice_alike_in_as_many_steps(shown, monkeypatch):
+    ticks = []
+    monkeypatch.setattr(field_plot, "joint_slice", lambda: shown)
+    content = field_plot.field_picture(lambda: ticks.append(1))
+    assert len(ticks) == field_plot.STEPS
+    assert content == png(field_plot.drawing(shown))

@@ -42,6 +42,7 @@ def test_the_rate_is_the_change_over_the_time_that_passed():
     (grasp,) = grasps_of(told)
     expected = [(0.6, 0.1 / 0.02), (0.2, -0.4 / 0.08), (0.2, 0.0)]
     np.testing.assert_allclose(grasp.phases, expected, rtol=1e-5, atol=1e-7)
+    assert grasp.probes == 2
 
 
 def test_each_grasp_has_its_own_hand_and_time():
@@ -63,6 +64,7 @@ def test_without_two_measurements_there_is_no_phase(residual):
     told = episode(residual, [NAN] * 2, [span("left", 0, 2, Status.LOST)])
     (grasp,) = grasps_of(told)
     assert grasp.phases.shape == (0, 2)
+    assert grasp.probes == np.isfinite(residual).sum()
 
 
 @pytest.mark.gl
@@ -76,6 +78,7 @@ def test_phases_are_what_the_controller_measured(grasped):
     assert eps == pytest.approx(result.residual, rel=1e-6)
     assert rate == pytest.approx(result.residual_rate, abs=1e-5)
     assert grasp.end == "lid"
+    assert grasp.probes == result.probes
 
 
 @pytest.mark.gl

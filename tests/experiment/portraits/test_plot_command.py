@@ -6,6 +6,7 @@ import sys
 import pytest
 from ideal_env import IdealEnv
 
+from prospect_mj.cli import new_file
 from prospect_mj.cli.plot import main
 from prospect_mj.episodes import episode_file
 from prospect_mj.experiment.evaluation.evaluate import evaluate
@@ -69,6 +70,21 @@ def test_nothing_is_overwritten(run, capsys):
 def test_a_file_in_the_folders_place_is_named(run, capsys):
     line = refused(capsys, run, "--out", run / "config.yaml")
     assert "is not a folder" in line
+
+
+@pytest.mark.parametrize("why", ["a link to nowhere", "no permission"])
+def test_a_folder_that_cant_be_had_is_refused_before_the_work(
+    why, run, capsys, monkeypatch
+):
+    """Simulated grasps can take minutes."""
+    out = run.parent / "pictures"
+    if why == "no permission":
+        out.mkdir()
+        monkeypatch.setattr(new_file, "_may_be_written", lambda folder: False)
+    else:
+        out.symlink_to("nowhere")
+    assert str(out) in refused(capsys, run, "--out", out)
+    assert not out.is_dir() or not names(out)
 
 
 def test_what_is_no_run_is_named(tmp_path, capsys):

@@ -10,7 +10,7 @@ from prospect_mj.agent import StateFeatureGenerator
 from prospect_mj.agent.features import N_BINS
 from prospect_mj.control.result import Status
 from prospect_mj.errors import RecordingError
-from prospect_mj.experiment.portraits import histograms
+from prospect_mj.experiment.portraits import grasp_picture, histograms
 from prospect_mj.experiment.portraits.decisive_bins import MadeUpMind
 from prospect_mj.experiment.portraits.grasp_phases import GraspPhases
 from prospect_mj.experiment.portraits.grasp_picture import _LOOKS, portraits
@@ -90,6 +90,16 @@ def test_grasps_have_the_colour_of_their_end():
     for image, status in zip(drawn, ended, strict=True):
         found = [pixels(image, _LOOKS[one][0]) > 100 for one in ended]
         assert found == [one is status for one in ended]
+
+
+@pytest.mark.parametrize(("n_corrected", "told"), [(1, True), (2, False)])
+def test_the_heading_says_when_most_grasps_balance_at_once(n_corrected, told):
+    times = 0.02 * np.arange(3)
+    at_once = [GraspPhases("lid", Status.CONVERGED, times, times)] * 2
+    late = np.array([0.0, 0.02, 0.5])
+    corrected = [GraspPhases("lid", Status.CONVERGED, late, late)] * n_corrected
+    words = "2 of 3 grasps balance at the first probe: they end where they start"
+    assert grasp_picture._at_once([*at_once, *corrected]) == [words] * told
 
 
 def test_numbers_of_a_table_have_their_sign_and_zero_a_plus():

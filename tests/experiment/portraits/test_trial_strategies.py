@@ -70,12 +70,6 @@ def test_trials_of_different_length_are_classified_one_by_one(found):
     assert found.lid.tolist() == [LEFT, RIGHT, RIGHT, LEFT, RIGHT]
 
 
-def test_an_insertion_counts_as_failed_by_its_own_row_only(found):
-    # The late correction's first insertion failed, the optimal one's did not.
-    late, optimal = found.strategy[2], found.strategy[0]
-    assert (late, optimal) == (Strategy.LATE, Strategy.OPTIMAL)
-
-
 def test_shares_by_hand(found):
     everyone = np.ones(5, np.bool_)
     shares = found.shares(everyone, np.array([0, 2, 5]))

@@ -43,7 +43,7 @@ def test_dictionary_round_trip():
         ({"trials": 10**9}, "100000"),
         ({"trials": 2.5}, "2.5"),
         ({"pretrain": -1}, "-1"),
-        ({"pretrain": True}, "pretraining trials is True; expected an integer"),
+        ({"pretrain": True}, "pretrain is True; expected an integer"),
         ({"bootstrap_at_truncation": "no"}, "'no'; expected true or false"),
         ({"pretrain": 1001}, "1000"),
         ({"seed": -1}, "-1"),

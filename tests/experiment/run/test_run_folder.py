@@ -10,6 +10,7 @@ import pyarrow.parquet as pq
 import pytest
 import yaml
 from ideal_env import IdealEnv
+from ideal_grower import grown_tree
 
 from prospect_mj import paths, storage
 from prospect_mj.agent import LearnerSettings, LinearQ
@@ -19,7 +20,11 @@ from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.kept_episodes import Kept
 from prospect_mj.experiment.run.records import ACTION_SCHEMA, TRIAL_SCHEMA
 from prospect_mj.experiment.run.run_folder import RunFolder
+from prospect_mj.experiment.view.run_view import RunView
 from prospect_mj.recording import provenance
+from prospect_mj.recording.config import RecordingConfig
+from prospect_mj.recording.growing import GrowingRecording
+from prospect_mj.recording.key import RecordingKey
 
 CONFIG = TrainConfig(trials=4, pretrain=2, seed=4)
 FILES = {
@@ -399,14 +404,60 @@ def test_full_disk_is_an_error_of_the_run_folder(tmp_path, monkeypatch):
         RunFolder.create(tmp_path / "run", CONFIG)
 
 
-def test_what_can_keep_no_episodes_is_refused_before_the_run_is_longer(tmp_path):
-    class Blind(IdealEnv):
-        def watch(self):
-            raise RecordingError("nothing to be seen")
+class Blind(IdealEnv):
+    def watch(self):
+        raise RecordingError("nothing to be seen")
 
+
+def test_what_can_keep_no_episodes_is_refused_before_there_is_a_run(tmp_path):
+    with pytest.raises(RecordingError):
+        session.start(CONFIG, tmp_path / "run", Blind, kept=Kept(1), **LAST_WORD)
+    assert not (tmp_path / "run").exists()
+
+
+def test_what_can_keep_no_episodes_is_refused_before_the_run_is_longer(tmp_path):
     path = tmp_path / "run"
     session.start(CONFIG, path, Blind, **LAST_WORD)
     before = content(path)
     with pytest.raises(RecordingError):
         session.resume(path, CONFIG.with_trials(9), Blind, kept=Kept(1), **LAST_WORD)
     assert content(path) == before
+
+
+def recorded_into(folder, number):
+    """One more tree, as `prospect record` or a run that grows the folder makes it."""
+    key = RecordingKey.present(RecordingConfig())
+    with GrowingRecording.open(folder, key) as recording:
+        recording.keep(grown_tree(1, "right", number))
+
+
+@pytest.mark.parametrize("number", [0, 49])
+def test_a_run_goes_on_in_a_recording_that_grew_by_what_it_draws(number, tmp_path):
+    run, recording = tmp_path / "run", tmp_path / "recording"
+    recorded_into(recording, 0)
+    config = growing(recording)
+    session.start(config, run, make_env, **LAST_WORD)
+    recorded_into(recording, number)
+    session.resume(run, config.with_trials(9), make_env, **LAST_WORD)
+    with RunFolder.open(run) as folder:
+        assert folder.n_trials == 9
+
+
+def test_a_recording_from_which_a_run_would_draw_others_is_refused(tmp_path):
+    run, recording = tmp_path / "run", tmp_path / "recording"
+    recorded_into(recording, 0)
+    config = growing(recording)
+    session.start(config, run, make_env, **LAST_WORD)
+    before = content(run)
+    recorded_into(recording, 50)
+    with pytest.raises(RunFolderError, match=r"number of presentations .* has changed"):
+        session.resume(run, config.with_trials(9), make_env, **LAST_WORD)
+    assert content(run) == before
+    (outdated,) = RunView.read(run).outdated()
+    assert "number of presentations" in outdated
+
+
+def growing(recording):
+    return TrainConfig(
+        trials=4, physics="recorded", recording=str(recording), grow=True
+    )

@@ -5,6 +5,8 @@ import pytest
 from ideal_env import IdealEnv
 from scipy.stats import binomtest
 
+from prospect_mj.agent import LearnerSettings
+from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.records import ACTION_NAMES
 from prospect_mj.experiment.run.training import (
@@ -45,6 +47,24 @@ def test_pretraining_does_not_change_what_follows_it():
     assert [presented_orientation(plain, trial) for trial in range(400, 600)] == [
         presented_orientation(pretrained, trial) for trial in range(400, 600)
     ]
+
+
+@pytest.mark.filterwarnings("ignore:(overflow|invalid value) encountered")
+@pytest.mark.parametrize("step_size", [8.0, 10.0])
+def test_a_learner_that_diverges_is_told_of_and_leaves_numbers_behind(step_size):
+    learning = LearnerSettings(step_size=step_size, discount=1.0)
+    config = TrainConfig(trials=3000, learner=learning)
+    learner = new_learner(config)
+    after = []
+
+    def keep_all():
+        for _ in train(config, IdealEnv(config), learner):
+            after.append(learner.weights.copy())
+
+    with pytest.raises(InvalidValue, match="must stay below 2"):
+        keep_all()
+    assert np.isfinite(after).all()
+    assert np.abs(after[-1]).max() > 1e100
 
 
 def test_streams_are_independent():

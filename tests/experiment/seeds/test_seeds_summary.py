@@ -48,6 +48,18 @@ def test_means_are_over_seeds_and_near_optimal_over_those_that_reached_it():
     assert (summary.solved.low, summary.solved.high) == (0.0, 1.0)
 
 
+def test_intervals_leave_out_what_can_not_be():
+    """Student's intervals of so few seeds would go below zero and beyond ten."""
+    runs = [
+        view(seed, np.concatenate([np.full(100, 2), learning(at)]), pretrain=100)
+        for seed, at in enumerate((40, 140, 200))
+    ]
+    summary = SeedsSummary.of(runs)
+    assert (summary.last_mean.low, summary.last_mean.high) == (2, 10)
+    # From the first trial after the pretraining to the last with 49 behind it.
+    assert (summary.near_optimal.low, summary.near_optimal.high) == (100, 250)
+
+
 def test_text_and_page_have_the_same_figures():
     summary = SeedsSummary.of([view(0, learning(100)), view(1, learning(200))])
     for words in (str(summary), summary.markdown()):

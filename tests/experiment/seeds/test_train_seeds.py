@@ -6,7 +6,8 @@ import subprocess
 import sys
 import time
 import warnings
-from subprocess import DEVNULL
+from pathlib import Path
+from subprocess import DEVNULL, PIPE
 
 import ideal_env
 import pytest
@@ -15,12 +16,15 @@ from ideal_env import IdealEnv, refuse
 
 from prospect_mj.errors import (
     FolderInUse,
+    MissingFile,
+    RecordingError,
     RenderingUnavailable,
     RunFolderError,
     SimulationDiverged,
 )
 from prospect_mj.experiment.run import session
 from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.experiment.run.kept_episodes import Kept
 from prospect_mj.experiment.run.side_by_side import Ended
 from prospect_mj.experiment.seeds import seeds_progress
 from prospect_mj.experiment.seeds.seeds_folder import n_finished
@@ -77,7 +81,7 @@ def test_the_folder_has_summary_and_picture(made):
 
 def test_the_same_again_runs_nothing(out, made):
     before = tree(out)
-    assert make(out, env=refuse) == made[1]
+    assert make(out, env=refuse).markdown() == made[1].markdown()
     assert tree(out) == before
 
 
@@ -137,9 +141,28 @@ def test_a_file_is_refused(tmp_path):
         make(tmp_path / "out")
 
 
+def test_a_folder_that_can_not_be_read_is_refused(tmp_path, monkeypatch):
+    def unreadable(folder):
+        raise PermissionError(13, "Permission denied", str(folder))
+
+    monkeypatch.setattr(Path, "iterdir", unreadable)
+    with pytest.raises(RunFolderError, match="can't be read: Permission denied"):
+        make(tmp_path)
+
+
 def test_nothing_is_written_where_nothing_can_be_simulated(tmp_path):
     with pytest.raises(RenderingUnavailable):
         make(tmp_path / "out", env=refuse)
+    assert not (tmp_path / "out").exists()
+
+
+def test_nothing_is_written_where_no_episode_can_be_kept(tmp_path):
+    class Blind(IdealEnv):
+        def watch(self):
+            raise RecordingError("nothing to be seen")
+
+    with pytest.raises(RecordingError):
+        train_seeds(CONFIG, (0, 1), tmp_path / "out", 1, Blind, kept=Kept(1))
     assert not (tmp_path / "out").exists()
 
 
@@ -165,17 +188,46 @@ def test_one_that_fails_keeps_no_other_from_its_end(tmp_path):
     assert RunView.read(tmp_path / "out" / "seed-0002").n_trials == 6
 
 
+class Incomplete(Diverging):
+    """An installation that lacks a file: an error of the system, and of the input."""
+
+    def step(self, action):
+        if self.seed == 2:
+            raise MissingFile("torso.xml is missing")
+        return super().step(action)
+
+
+def test_input_at_fault_in_any_of_them_is_told_of_as_such(tmp_path):
+    with pytest.raises(RunFolderError, match="2 of 2 runs failed"):
+        make(tmp_path / "out", env=Incomplete)
+
+
 class Dim(IdealEnv):
     def __init__(self, config):
         super().__init__(config)
-        warnings.warn("the lamp is dim", stacklevel=1)
+        warnings.warn("the lamp is dim", RuntimeWarning, stacklevel=1)
 
 
 def test_what_all_say_alike_is_said_once(tmp_path):
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         make(tmp_path / "out", (0, 1, 2), env=Dim)
-    assert [str(one.message) for one in caught] == ["the lamp is dim"]
+    (told,) = caught
+    assert (str(told.message), told.category) == ("the lamp is dim", RuntimeWarning)
+
+
+class Dimming(IdealEnv):
+    """Warns when the trials are under way, in another process or not."""
+
+    def reset(self, *, seed, options):
+        warnings.warn("the lamp is dim", RuntimeWarning, stacklevel=1)
+        return super().reset(seed=seed, options=options)
+
+
+def test_what_a_run_warns_of_keeps_its_kind(tmp_path):
+    with pytest.warns(RuntimeWarning, match="the lamp is dim") as caught:
+        make(tmp_path / "out", env=Dimming)
+    assert len(caught) == 1
 
 
 def test_without_a_terminal_each_run_is_a_line(tmp_path, capsys):
@@ -192,28 +244,48 @@ def test_on_a_terminal_trials_are_counted_while_they_are_made(
     path = tmp_path / "run"
     with seeds_progress.SeedsProgress([path], 6) as progress:
         session.start(CONFIG, path, IdealEnv, lambda _: None)
-        time.sleep(0.1)
+        deadline = time.monotonic() + 10
+        while progress._bar.n < 6 and time.monotonic() < deadline:
+            time.sleep(0.01)
+        # Before it is closed, which would count once more.
+        assert progress._bar.n == 6
         progress.ended(Ended(path, None, ()))
     assert "6/6" in capsys.readouterr().err
 
 
-def test_the_same_again_goes_on_after_a_kill_of_the_command_alone(tmp_path):
-    """Its processes end with it, and give back the folders of their runs."""
-    out = tmp_path / "out"
+def begun(out):
+    """The command for two runs of some seconds, when it has come to some trials."""
     options = f"0.01 --seeds 0:2 --jobs 2 --trials 30 --out {out}".split()
     command = [sys.executable, ideal_env.__file__, *options]
-    process = subprocess.Popen(command, stdout=DEVNULL, stderr=DEVNULL)
+    process = subprocess.Popen(command, stdout=DEVNULL, stderr=PIPE, text=True)
     folders = [out / f"seed-000{seed}" for seed in (0, 1)]
     deadline = time.monotonic() + 60
     while min(map(n_finished, folders)) < 3 and time.monotonic() < deadline:
         time.sleep(0.02)
+    return process, folders
+
+
+def test_the_same_again_goes_on_after_a_kill_of_the_command_alone(tmp_path):
+    """Its processes end with it, and give back the folders of their runs."""
+    process, folders = begun(tmp_path / "out")
     process.kill()
-    assert process.wait() == -signal.SIGKILL
+    process.communicate()
+    assert process.returncode == -signal.SIGKILL
     assert all(3 <= n_finished(folder) < 30 for folder in folders)
+    deadline = time.monotonic() + 60
     for folder in folders:
         while not is_free(folder) and time.monotonic() < deadline:
             time.sleep(0.1)
         assert n_finished(folder) < 30
+
+
+def test_an_interruption_is_one_line(tmp_path):
+    """Also of Python itself, which counts the semaphores that processes left behind."""
+    process, _ = begun(tmp_path / "out")
+    process.send_signal(signal.SIGINT)
+    _, told = process.communicate()
+    assert process.returncode == 130
+    assert told == "interrupted: all finished trials are kept\n"
 
 
 def is_free(folder):

@@ -7,15 +7,26 @@ import numpy as np
 import pytest
 
 from prospect_mj.episodes import episode_file
-from prospect_mj.errors import EpisodeError, InvalidValue, RunFolderError
+from prospect_mj.errors import (
+    EpisodeError,
+    InvalidValue,
+    RunFolderError,
+    SimulationDiverged,
+)
 from prospect_mj.experiment.run import session
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.environment import make_environment
 from prospect_mj.experiment.run.kept_episodes import Kept, kept_trials, path_of
 from prospect_mj.experiment.view.run_view import RunView
 from prospect_mj.experiment.watching import replayed
-from prospect_mj.experiment.watching.presented_again import drawn_presentation
+from prospect_mj.experiment.watching.presented_again import (
+    drawn_presentation,
+    present_again,
+)
 from prospect_mj.experiment.watching.replayed import Choice, chosen
+from prospect_mj.recording import files
+from prospect_mj.recording.recording import Recording
+from prospect_mj.task.pick_place import PickPlaceTask
 
 pytestmark = pytest.mark.gl
 
@@ -50,9 +61,8 @@ def grown(tmp_path_factory):
 
 
 def the_only(path, choice=None):
-    _, trials = replayed.of(path, choice or Choice(), quiet)
-    (one,) = trials
-    return one
+    (fetch,) = replayed.of(path, choice or Choice(), quiet).values()
+    return fetch()
 
 
 def states(replayed):
@@ -112,7 +122,48 @@ def test_physics_that_changed_since_are_noticed(live, grown, monkeypatch):
         with pytest.raises(
             RunFolderError, match=r"can't be simulated again: its action"
         ):
-            next(replayed.replayed(changed, [0], quiet))
+            replayed.replayed(changed, 0, quiet)
+
+
+def test_a_recording_that_offers_more_presentations_is_told_of(grown):
+    view = RunView.read(grown)
+    folder = view.config.recording_folder
+    added = folder / files.tree_file("left", 70)
+    (first, *_) = files.tree_files(folder)
+    added.write_bytes(first.read_bytes())
+    with pytest.raises(RunFolderError, match="changed since: number of presentations"):
+        replayed.replayed(view, 0, quiet)
+    added.unlink()
+
+
+@pytest.mark.filterwarnings("ignore:the recording may differ")
+def test_a_recording_is_read_once_for_all_trials(monkeypatch):
+    config = TrainConfig(trials=4, seed=3, physics="recorded")
+    run, loaded = RunView(None, config, None, None, None, None), []
+    load = Recording.load
+    monkeypatch.setattr(
+        Recording, "load", lambda *path: loaded.append(path) or load(*path)
+    )
+    drawn = [drawn_presentation(run, trial, "right") for trial in range(10)]
+    assert len(loaded) == 1
+    assert len(set(drawn)) > 1
+
+
+def test_what_can_not_be_presented_again_is_closed(live, grown, monkeypatch):
+    closed = []
+    close = PickPlaceTask.close
+
+    def fail(*_):
+        raise SimulationDiverged("bad acceleration")
+
+    monkeypatch.setattr(PickPlaceTask, "reset", fail)
+    monkeypatch.setattr(
+        PickPlaceTask, "close", lambda task: closed.append(task) or close(task)
+    )
+    for number, run in enumerate((live[0], grown), start=1):
+        with pytest.raises(SimulationDiverged):
+            present_again(RunView.read(run), 0, "left")
+        assert len(closed) == number
 
 
 def test_trials_are_chosen(live):
@@ -124,7 +175,8 @@ def test_trials_are_chosen(live):
     for number in (-1, 2):
         with pytest.raises(InvalidValue, match="0 to 1, as far as the run has come"):
             chosen(view, Choice(trial=number))
-    with pytest.raises(InvalidValue, match="one of --trial, --worst, --failures"):
+    several = "is '--trial 0 --worst'; expected one of --trial, --worst, --failures"
+    with pytest.raises(InvalidValue, match=several):
         Choice(trial=0, worst=True)
 
 
@@ -147,7 +199,8 @@ def test_an_episode_can_be_replayed_by_itself(live, tmp_path):
     np.testing.assert_array_equal(states(one), states(the_only(live[0], Choice(0))))
     assert one.story.title == "trial-000000"
     assert one.story.q_values is None
-    with pytest.raises(InvalidValue, match="none beside the file of one episode"):
+    refused = "is '--trial 0'; expected none beside the file of one episode"
+    with pytest.raises(InvalidValue, match=refused):
         the_only(path, Choice(trial=0))
     with pytest.raises(EpisodeError, match="there is no episode"):
         the_only(tmp_path / "none.npz")
@@ -160,11 +213,11 @@ def test_a_damaged_episode_is_named_with_what_to_do(live, tmp_path):
     for content in (b"", path_of(live[0], 0).read_bytes()[:5000]):
         path.write_bytes(content)
         with pytest.raises(EpisodeError, match="remove it, and the trial is simulated"):
-            next(replayed.replayed(view, [0], quiet))
+            replayed.replayed(view, 0, quiet)
     episode = episode_file.read(path_of(live[0], 0))
     episode_file.write(path, episode, "another run")
     with pytest.raises(EpisodeError, match="is from another run"):
-        next(replayed.replayed(view, [0], quiet))
+        replayed.replayed(view, 0, quiet)
     path.unlink()
 
 

@@ -32,6 +32,10 @@ class LiveRuns:
         """The settings of one of the runs."""
         return TrainConfig(trials=self.trials, seed=number)
 
+    def folders(self, out: Path) -> list[Path]:
+        """Those of the runs, in the folder of them all."""
+        return [out / folder_name(number) for number in range(self.runs)]
+
 
 def advance(
     wanted: LiveRuns,
@@ -55,7 +59,7 @@ def advance(
     """
     make_folder(out, RunFolderError)
     runs = [
-        Wanted(out / folder_name(number), wanted.config(number), make_env)
-        for number in range(wanted.runs)
+        Wanted(path, wanted.config(number), make_env)
+        for number, path in enumerate(wanted.folders(out))
     ]
     yield from side_by_side.finish(runs, jobs)

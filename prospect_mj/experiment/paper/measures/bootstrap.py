@@ -16,8 +16,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-LEVEL = 0.95
-"""Of every interval and band."""
+from prospect_mj.experiment.estimate import LEVEL
+
 RESAMPLES = 2000
 """Of the runs, for every interval and band."""
 

@@ -20,12 +20,8 @@ from numpy.typing import NDArray
 
 from prospect_mj.agent.settings import LearnerSettings
 from prospect_mj.experiment.paper.populations.kernel import Graph
-from prospect_mj.experiment.paper.populations.outcome_graph import (
-    GRASPS,
-    HANDS,
-    SWAPS,
-    recorded_graph,
-)
+from prospect_mj.experiment.paper.populations.outcome_graph import HANDS, recorded_graph
+from prospect_mj.recording.hands import GRASPS, SWAPS
 from prospect_mj.recording.recording import Recording
 from prospect_mj.supervisor.supervisor import Supervisor
 

@@ -4,13 +4,8 @@ import numpy as np
 
 from prospect_mj.actions.action import Action
 from prospect_mj.experiment.paper.populations.kernel import Graph
-from prospect_mj.experiment.paper.populations.strategies import (
-    GRASPS,
-    INSERTIONS,
-    SWAPS,
-)
 from prospect_mj.recording.choices import choice_sets
-from prospect_mj.recording.hands import LEFT, NONE, RIGHT
+from prospect_mj.recording.hands import GRASPS, INSERTIONS, LEFT, NONE, RIGHT, SWAPS
 from prospect_mj.recording.recording import Recording
 from prospect_mj.supervisor.supervisor import Supervisor
 

@@ -14,16 +14,10 @@ from enum import IntEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from prospect_mj.actions.action import Action
-from prospect_mj.recording.hands import LEFT, NONE, RIGHT
+from prospect_mj.recording.hands import GRASPS, INSERTIONS, LEFT, NONE, RIGHT, SWAPS
 from prospect_mj.task.presentation import Orientation
 
 Booleans = NDArray[np.bool_]
-
-GRASPS = {LEFT: Action.GRASP_LEFT, RIGHT: Action.GRASP_RIGHT}
-SWAPS = {LEFT: Action.SWAP_LEFT_TO_RIGHT, RIGHT: Action.SWAP_RIGHT_TO_LEFT}
-"""By the hand that gives."""
-INSERTIONS = {LEFT: Action.INSERT_LEFT, RIGHT: Action.INSERT_RIGHT}
 
 
 class Strategy(IntEnum):

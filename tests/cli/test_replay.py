@@ -8,11 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from prospect_mj.cli import replay, video
+from prospect_mj.cli import replay, replay_files, video
+from prospect_mj.errors import EpisodeError
 from prospect_mj.experiment.run import session
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.kept_episodes import Kept, path_of
-from prospect_mj.replay import viewer
+from prospect_mj.replay import rerun_export, viewer
 
 pytestmark = pytest.mark.gl
 
@@ -51,21 +52,35 @@ def said(capsys):
     return line
 
 
+def said_beside(capsys, printed):
+    """The only line on stderr, beside one line on stdout."""
+    out, err = capsys.readouterr()
+    assert out == f"{printed}\n"
+    (line,) = err.splitlines()
+    return line
+
+
 BAD = {
     "empty --save a.rrd": "empty is not a run folder",
     "none --save a.rrd": "none is not a run folder",
     "run": "there is no display",
+    "none": "none is not a run folder",
+    "empty": "empty is not a run folder",
+    "run --trial 2": "--trial is 2; expected 0 to 1",
+    "gone.npz": "there is no episode gone.npz",
+    "notes.npz": "it is damaged, or none",
     "run --save there.rrd": "a file that does not exist",
     "run --save a.mp4": "a name that ends in .rrd",
     "run --save none/a.rrd": "a folder that exists",
     "run --save a.rrd --serve": "none beside --save",
-    "run --save a.rrd --port 8000": "none without --serve",
+    "run --save a.rrd --port 8000": "--port is 8000; expected none without --serve",
+    "run --host 0.0.0.0": "--host is '0.0.0.0'; expected none without --serve",
     "": "RUN",
     "run --serve --port 0": "--port",
     "run --serve --host localhost": "an IPv4 address",
     "run --save a.rrd --trial 2": "0 to 1, as far as the run has come",
     "run --save a.rrd --trial -1": "0 to 1, as far as the run has come",
-    "run --save a.rrd --trial one": "one",
+    "run --save a.rrd --trial one": "--trial is 'one'; expected a whole number",
     "run --save a.rrd --trial 0 --worst": "one of --trial, --worst, --failures",
     "run --save there.rrd --failures": "there.rrd is not a folder",
     "damaged --save a.rrd": "can't be read as an episode",
@@ -80,12 +95,8 @@ BAD = {
 
 
 @pytest.mark.parametrize("arguments", BAD)
-def test_what_cant_be_replayed_is_one_line(arguments, here, capsys):
-    before = sorted(here.rglob("*"))
-    assert replay.main(arguments.split()) == 2
-    assert BAD[arguments] in said(capsys)
-    assert sorted(here.rglob("*")) == before
-    assert Path("there.rrd").read_text() == "mine"
+def test_what_cant_be_replayed_is_one_line(arguments, here, refused):
+    assert BAD[arguments] in refused(lambda: replay.main(arguments.split()))
 
 
 BAD_VIDEO = {
@@ -103,11 +114,8 @@ BAD_VIDEO = {
 
 
 @pytest.mark.parametrize("arguments", BAD_VIDEO)
-def test_what_cant_be_filmed_is_one_line(arguments, here, capsys):
-    assert video.main(arguments.split()) == 2
-    assert BAD_VIDEO[arguments] in said(capsys)
-    assert not Path("a.mp4").exists()
-    assert Path("there.mp4").read_text() == "mine"
+def test_what_cant_be_filmed_is_one_line(arguments, here, refused):
+    assert BAD_VIDEO[arguments] in refused(lambda: video.main(arguments.split()))
 
 
 def test_a_kept_trial_is_read_and_another_one_simulated_again(here, capsys):
@@ -130,17 +138,92 @@ def test_failures_are_saved_into_a_folder(here, capsys):
     assert Path(name).is_file()
 
 
+@pytest.fixture
+def two(here):
+    """The run with both of its trials kept, neither of them solved."""
+    shutil.copy(path_of(Path("run"), 0), path_of(Path("run"), 1))
+    return [path_of(Path("run"), number) for number in (0, 1)]
+
+
+SAVE = ["run", "--failures", "--save", "new/folder"]
+
+
+@pytest.mark.parametrize("damaged", [0, 1])
+def test_a_trial_that_cant_be_read_keeps_no_other_from_being_saved(
+    damaged, two, capsys
+):
+    two[damaged].write_bytes(b"PK")
+    assert replay.main(SAVE) == 0
+    line = said_beside(capsys, f"new/folder/trial-00000{1 - damaged}.rrd")
+    assert line.startswith(f"warning: trial-00000{damaged} is left out: ")
+    assert "can't be read as an episode" in line
+    assert [path.stem for path in Path("new/folder").iterdir()] == [
+        f"trial-00000{1 - damaged}"
+    ]
+
+
+def test_a_trial_that_cant_be_exported_leaves_nothing_behind(two, capsys, monkeypatch):
+    usual, given = rerun_export.log_panels, []
+
+    def log_panels(*what):
+        given.append(what)
+        if len(given) == 1:
+            raise EpisodeError("its states are of no use")
+        usual(*what)
+
+    monkeypatch.setattr(rerun_export, "log_panels", log_panels)
+    assert replay.main(SAVE) == 0
+    line = said_beside(capsys, "new/folder/trial-000001.rrd")
+    assert line == "warning: trial-000000 is left out: its states are of no use"
+    assert [path.name for path in Path("new/folder").iterdir()] == ["trial-000001.rrd"]
+
+
+@pytest.mark.parametrize("folder", ["new/folder", "empty"])
+def test_if_none_can_be_saved_that_is_one_line_and_no_folder(folder, two, refused):
+    for path in two:
+        path.write_bytes(b"PK")
+    line = refused(lambda: replay.main([*SAVE[:-1], folder]))
+    assert line.startswith("error: none of the 2 trials can be replayed: trial-000000")
+    assert "can't be read as an episode" in line
+
+
+def test_what_was_saved_before_a_failure_of_the_machine_is_named(
+    two, capsys, monkeypatch
+):
+    usual = replay_files.export
+
+    def export(episode, story, path):
+        if path.stem == "trial-000001":
+            raise OSError("No space left on device")
+        usual(episode, story, path)
+
+    monkeypatch.setattr(replay_files, "export", export)
+    assert replay.main(SAVE) == 1
+    assert said_beside(capsys, "new/folder/trial-000000.rrd") == (
+        "error: No space left on device"
+    )
+
+
+def test_the_viewer_opens_what_can_be_shown(two, monkeypatch, capsys):
+    shown = []
+    monkeypatch.setattr(viewer, "serve", lambda files, *_: shown.extend(files))
+    two[0].write_bytes(b"PK")
+    port = str(viewer.free_port())
+    assert replay.main(["run", "--failures", "--serve", "--port", port]) == 0
+    assert [path.name for path in shown] == ["trial-000001.rrd"]
+    assert said(capsys).startswith("warning: trial-000000 is left out: ")
+
+
 def test_an_episode_is_replayed_without_its_run(here, capsys):
     shutil.copy(path_of(Path("run"), 0), "alone.npz")
     assert replay.main(["alone.npz", "--save", "alone.rrd"]) == 0
 
 
 def test_a_viewer_that_is_missing_is_named_before_anything_is_done(
-    here, capsys, monkeypatch
+    here, refused, monkeypatch
 ):
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
-    assert replay.main(["run", "--serve"]) == 2
-    assert "pip install rerun-sdk" in said(capsys)
+    assert "pip install rerun-sdk" in refused(lambda: replay.main(["run", "--serve"]))
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])

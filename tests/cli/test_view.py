@@ -17,7 +17,6 @@ EARLY = (Action.GRASP_RIGHT, Action.SWAP_RIGHT_TO_LEFT, Action.INSERT_LEFT)
 def elsewhere(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "there.mp4").touch()
-    return tmp_path
 
 
 @pytest.mark.parametrize(
@@ -63,25 +62,28 @@ BAD = {
 
 
 @pytest.mark.parametrize(("options", "named"), BAD.items(), ids=BAD.keys())
-def test_bad_input_is_one_line_and_writes_nothing(options, named, elsewhere, capsys):
-    assert view.main(options.split()) == 2
-    said = capsys.readouterr()
-    assert said.out == ""
-    assert said.err.startswith("error: ")
-    assert said.err.count("\n") == 1
-    assert named in said.err
-    assert [path.name for path in elsewhere.iterdir()] == ["there.mp4"]
+def test_bad_input_is_one_line_and_writes_nothing(options, named, refused):
+    assert named in refused(lambda: view.main(options.split()))
 
 
-def test_without_a_display_it_names_the_video(monkeypatch, capsys):
+def test_without_a_display_it_names_the_video(monkeypatch, refused):
     def refuse(instead):
         raise NoDisplay(f"no window; {instead}")
 
     monkeypatch.setattr(view, "require_display", refuse)
-    assert view.main([]) == 2
-    said = capsys.readouterr().err
-    assert said.startswith("error: no window; --video FILE.mp4")
-    assert said.count("\n") == 1
+    line = refused(lambda: view.main([]))
+    assert line.startswith("error: no window; --video FILE.mp4")
+
+
+def test_what_takes_seconds_is_told_before_the_window_opens(monkeypatch, capsys):
+    def opened(shown):
+        assert capsys.readouterr().err == "loading the scene ...\n"
+        return []
+
+    monkeypatch.setattr(view, "require_display", lambda instead: None)
+    monkeypatch.setattr(live_view, "in_window", opened)
+    assert view.main(["--actions", "grasp-left"]) == 0
+    assert capsys.readouterr() == ("", "")
 
 
 def test_settings_are_checked_where_they_are_made():

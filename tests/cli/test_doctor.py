@@ -244,6 +244,15 @@ def test_the_exit_code_tells_whether_something_fails(name, code, monkeypatch, ca
     ]
 
 
+def test_on_a_terminal_looks_are_counted(monkeypatch, capsys):
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    monkeypatch.setattr(examination, "LOOKS", {"well": lambda: PLANTED["well"]})
+    assert doctor.main([]) == 0
+    bar = capsys.readouterr().err
+    assert "look" in bar
+    assert "it/s" not in bar
+
+
 def test_it_runs_where_mujoco_can_not_be_loaded(tmp_path):
     """All that may break is in processes of its own."""
     (tmp_path / "mujoco.py").write_text("raise ImportError('libGL.so.1 is missing')")

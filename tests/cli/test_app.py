@@ -2,6 +2,7 @@
 
 import ast
 import re
+import runpy
 import subprocess
 import sys
 import tomllib
@@ -122,6 +123,18 @@ def test_options_are_read_from_a_help_with_its_gaps():
     assert options_of(drawn) == {"--a": "Of it [s].", "--bare": " (default: 1)"}
 
 
+def test_the_page_names_all_commands_that_print_json(capsys):
+    have = set()
+    for name in app.COMMANDS:
+        with pytest.raises(SystemExit):
+            app.main([name, "--help"])
+        if "--json" in options_of(capsys.readouterr().out):
+            have.add(name)
+    page = (ROOT / "docs" / "commands.md").read_text("utf-8")
+    (told,) = re.findall(r"- `--json` prints[^:]*:([^.]*)\.", page)
+    assert set(re.findall(r"`([\w-]+)`", told)) == have
+
+
 @pytest.mark.parametrize(
     ("name", "option", "unit"),
     [
@@ -169,6 +182,21 @@ def test_scripts_are_thin_names_of_all_commands():
         modules[script.stem] = {node.module for node in found}
     for command in app.COMMANDS.values():
         assert modules[command.module] == {f"prospect_mj.cli.{command.module}"}
+
+
+MAKERS = {"make_jar", "make_torso"}
+"""Scripts that write a file each, without any options."""
+
+
+def test_every_script_of_the_repository_has_a_help(capsys):
+    for script in (ROOT / "scripts").glob("*.py"):
+        if script.stem not in MAKERS:
+            begin = runpy.run_path(str(script))
+            (main,) = (f for f in begin.values() if callable(f))
+            with pytest.raises(SystemExit) as end:
+                main(["--help"])
+            assert end.value.code == 0
+            assert capsys.readouterr().out.startswith(f"usage: {script.name} ")
 
 
 def test_it_is_installed_under_its_name():
