@@ -4,6 +4,7 @@ A controller that does not converge returns a value (`prospect_mj.control.result
 an exception here means that the caller asked for something that does not exist.
 """
 
+import errno
 from collections.abc import Iterable
 
 
@@ -19,6 +20,9 @@ def _with_message(kind: type[ProspectError], message: str) -> ProspectError:
     return kind.__new__(kind, message)
 
 
+_MACHINES = {errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EMFILE, errno.ENFILE}
+
+
 class InputNotAtFault(ProspectError):
     """Base of what goes wrong whatever was asked for: the physics failed."""
 
@@ -31,6 +35,18 @@ def is_inputs_fault(error: Exception | None) -> bool:
     """
     ours = isinstance(error, ProspectError | PermissionError)
     return ours and not isinstance(error, InputNotAtFault)
+
+
+def is_machines_fault(error: OSError) -> bool:
+    """Whether a file could not be written wherever it was to be: a full disk, say."""
+    return error.errno in _MACHINES
+
+
+def told(error: Exception) -> str:
+    """What went wrong, in one line; a file that could not be had comes first."""
+    if isinstance(error, OSError) and error.filename and error.strerror:
+        return f"{error.filename}: {error.strerror}"
+    return " ".join(str(error).split())
 
 
 class InvalidChoice(ProspectError, ValueError):
@@ -48,6 +64,14 @@ class InvalidValue(ProspectError, ValueError):
     def __init__(self, what: str, value: object, expected: str) -> None:
         """Name the bad value and what was expected instead."""
         super().__init__(f"{what} is {value!r}; expected {expected}")
+
+
+class UnfitWeights(InvalidValue):
+    """Learned weights that were read and can't be used: of another version, say."""
+
+    def __init__(self, message: str) -> None:
+        """Say what is wrong with them."""
+        ProspectError.__init__(self, message)
 
 
 class MissingFile(ProspectError, FileNotFoundError):

@@ -7,7 +7,7 @@ from typing import Any
 
 import yaml
 
-from prospect_mj.errors import ProspectError
+from prospect_mj.errors import ProspectError, is_machines_fault
 
 
 def temporary(path: Path) -> Path:
@@ -25,6 +25,9 @@ def replace_file(path: Path, content: bytes) -> None:
     Args:
         path: file to create or replace; its folder must exist.
         content: the whole new content [bytes].
+
+    Raises:
+        OSError: if it can't be written, with the file's name.
     """
     unfinished = temporary(path)
     try:
@@ -33,9 +36,12 @@ def replace_file(path: Path, content: bytes) -> None:
             stream.flush()
             os.fsync(stream.fileno())
         unfinished.replace(path)
-    except BaseException:
+    except BaseException as error:
         with contextlib.suppress(OSError):
             unfinished.unlink()
+        if isinstance(error, OSError) and error.strerror:
+            # Else the error of a full disk names nothing.
+            raise OSError(error.errno, error.strerror, str(path)) from error
         raise
 
 
@@ -45,12 +51,17 @@ def make_folder(path: Path, refused: type[ProspectError]) -> None:
     Args:
         path: the folder.
         refused: the error that is raised if there is a file, or it can't be made.
+
+    Raises:
+        OSError: if the machine is at fault, as on a full disk.
     """
     try:
         if path.exists() and not path.is_dir():
             raise refused(f"{path} is not a folder")
         path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
+        if is_machines_fault(error):
+            raise
         raise refused(f"{path} can't be made: {error.strerror}") from error
 
 

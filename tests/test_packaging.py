@@ -90,18 +90,30 @@ def test_the_sdist_makes_the_same_wheel(sdist, wheel, tmp_path):
 
 @pytest.mark.gl
 def test_an_installed_package_works_outside_of_the_checkout(wheel, tmp_path):
-    folder = tmp_path / "installed"
+    folder, cache = tmp_path / "installed", tmp_path / "cache"
     pip("install", "--no-deps", "--target", folder, wheel)
     done = subprocess.run(
         [sys.executable, SMOKE, folder],
         cwd=tmp_path,
-        env=os.environ | {"PYTHONPATH": str(folder)},
+        env=os.environ | {"PYTHONPATH": str(folder), "NUMBA_CACHE_DIR": str(cache)},
         capture_output=True,
         text=True,
         timeout=200,
         check=False,
     )
     assert done.returncode == 0, done.stdout + done.stderr
+    check_signatures(cache)
+
+
+def check_signatures(cache: Path) -> None:
+    """What is cached has one signature, or two processes could mix up two of them.
+
+    Here, as all of the planner's compiled code was made anew for the copy.
+    """
+    functions = [path.stem.rpartition(".")[0] for path in cache.rglob("*.nbc")]
+    assert any("free_cells" in name for name in functions), functions
+    assert len(functions) > 20
+    assert sorted(set(functions)) == sorted(functions)
 
 
 def pins() -> dict[str, str]:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.agent.settings import LearnerSettings
-from prospect_mj.errors import InvalidValue
+from prospect_mj.errors import InvalidValue, UnfitWeights
 from prospect_mj.storage import replace_file
 
 _FORMAT = "prospect_mj linear Q 1"
@@ -55,11 +55,14 @@ def read(path: Path) -> StoredWeights:
     """Read what `write` wrote.
 
     Raises:
+        UnfitWeights: if they are of another version, or not finite.
         InvalidValue: if the file cannot be read, is damaged, or is another's.
     """
     try:
         with path.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
-            return _decoded({name: archive[name] for name in archive.files})
+            return _decoded(path, {name: archive[name] for name in archive.files})
+    except UnfitWeights:
+        raise
     except (
         OSError,
         EOFError,
@@ -75,16 +78,19 @@ def read(path: Path) -> StoredWeights:
         ) from error
 
 
-def _decoded(archive: dict[str, NDArray]) -> StoredWeights:
+def _decoded(path: Path, archive: dict[str, NDArray]) -> StoredWeights:
     """Check the archive's content; any of the errors above says that it is foreign."""
-    if str(archive["format"]) != _FORMAT:
-        raise ValueError(str(archive["format"]))
+    found = str(archive["format"])
+    if found != _FORMAT:
+        raise UnfitWeights(
+            f"{path} has format {found!r}; this version reads {_FORMAT!r}"
+        )
     settings = LearnerSettings(**json.loads(str(archive["settings"])))
     weights = archive["weights"]
     shape = (settings.n_actions, settings.n_features)
     if weights.dtype != np.float64 or weights.shape != shape:
         raise ValueError(weights.shape)
     if not np.isfinite(weights).all():
-        raise ValueError("weights that are not finite")
+        raise UnfitWeights(f"{path} has weights that are not finite numbers")
     n_updates, origin = int(archive["n_updates"]), str(archive["origin"])
     return StoredWeights(settings, weights, n_updates, origin)

@@ -2,18 +2,18 @@
 
 import contextlib
 import io
-import os
 import sys
 import warnings
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
-from prospect_mj.cli import refusal
+from prospect_mj.cli import interruption, refusal, standard_streams
 from prospect_mj.errors import (
     InvalidChoice,
     InvalidValue,
     ProspectError,
     is_inputs_fault,
+    told,
 )
 
 if TYPE_CHECKING:
@@ -107,30 +107,37 @@ def run(
         The exit code: 0; 1 if the machine or the physics failed; 2 for input that
         can't be used; 130 if the user stopped it.
     """
-    try:
+    standard_streams.open_missing()
+    with interruption.noticed() as was_interrupted:
         try:
-            with warnings.catch_warnings():
-                warnings.showwarning = _show_warning
-                command()
-        finally:
-            # Here and not at the end of the process, where nothing could catch it.
-            sys.stdout.flush()
-    except KeyboardInterrupt:
-        print(interrupted, file=sys.stderr)
-        return INTERRUPTED
-    except BrokenPipeError:
-        _discard_output()
-        return FAILED
-    except (ProspectError, OSError) as error:
-        print(f"error: {_told(error, argv)}", file=sys.stderr)
-        return BAD_INPUT if is_inputs_fault(error) else FAILED
+            _run_quietly(command)
+        except BrokenPipeError:
+            standard_streams.discard_output()
+            return FAILED
+        except (KeyboardInterrupt, Exception) as error:
+            if isinstance(error, KeyboardInterrupt) or was_interrupted():
+                print(interrupted, file=sys.stderr)
+                return INTERRUPTED
+            if not isinstance(error, ProspectError | OSError):
+                raise
+            print(f"error: {_told(error, argv)}", file=sys.stderr)
+            return BAD_INPUT if is_inputs_fault(error) else FAILED
     return 0
 
 
+def _run_quietly(command: Callable[[], None]) -> None:
+    """Run a command with its warnings as lines for a user."""
+    try:
+        with warnings.catch_warnings():
+            warnings.showwarning = _show_warning
+            command()
+    finally:
+        # Here and not at the end of the process, where nothing could catch it.
+        sys.stdout.flush()
+
+
 def _told(error: Exception, argv: Sequence[str]) -> str:
-    words = " ".join(str(error).split())
-    if isinstance(error, OSError) and error.filename and error.strerror:
-        return f"{error.filename}: {error.strerror}"
+    words = told(error)
     of_a_value = isinstance(error, BadOptions | InvalidChoice | InvalidValue)
     return refusal.as_typed(words, argv) if of_a_value else words
 
@@ -143,11 +150,3 @@ def _show_warning(message: Warning | str, *where: object, **more: object) -> Non
     # Beside a bar that may be there.
     tqdm.write(f"warning: {message}", file=sys.stderr)
     sys.stderr.flush()
-
-
-def _discard_output() -> None:
-    """Nobody reads on; Python would complain of that at the end of the process."""
-    with contextlib.suppress(OSError, ValueError):
-        nowhere = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(nowhere, sys.stdout.fileno())
-        os.close(nowhere)

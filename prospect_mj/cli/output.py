@@ -42,6 +42,11 @@ def say_aside(words: str) -> None:
     sys.stderr.flush()
 
 
+def counted(number: int, noun: str) -> str:
+    """So many of something, such as `1 action` or `3 actions`."""
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
 def as_json(figures: object) -> str:
     """One JSON object in one line; a number that is not finite becomes null."""
     return json.dumps(plain(figures), ensure_ascii=False, allow_nan=False)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 import tyro
 
 from prospect_mj.cli import command_line
-from prospect_mj.cli.output import Output
+from prospect_mj.cli.output import Output, counted
 from prospect_mj.errors import UnfinishedRecording
 from prospect_mj.recording import files
 from prospect_mj.recording.config import Extent, RecordingConfig
@@ -113,7 +113,7 @@ def _grow(recording: "GrowingRecording", options: RecordOptions) -> _Grown:
         for _ in growth.run(options.workers):
             progress.advance()
     n_new = growth.n_actions - n_before
-    options.output.say(f"{options.out}: {n_new} actions recorded")
+    options.output.say(f"{options.out}: {counted(n_new, 'action')} recorded")
     for words in growth.failures:
         warnings.warn(words, stacklevel=2)
     return _Grown(n_new, recording.n_trees, len(growth.failures))
@@ -124,11 +124,11 @@ def _pack(
 ) -> dict[str, object]:
     extent, say = options.extent, options.output.say
     n_packed = packing.write(recording.complete(extent), recording.key)
-    say(f"{options.pack}: {n_packed} trees packed")
+    say(f"{options.pack}: {counted(n_packed, 'tree')} packed")
     n_left = recording.n_trees - n_packed
     if n_left:
         say(
-            f"{n_left} trees of {recording.path} are left out: not complete to "
-            f"{extent.depth} executed actions, or beyond the number wanted"
+            f"{counted(n_left, 'tree')} of {recording.path} left out: not complete "
+            f"to {extent.depth} executed actions, or beyond the number wanted"
         )
     return {"path": options.pack, "n_trees": n_packed, "n_left_out": n_left}

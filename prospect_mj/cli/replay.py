@@ -102,6 +102,9 @@ def _check_can_show(options: ReplayOptions) -> None:
     if options.save is not None:
         if not options.failures:
             check_new_file("--save", options.save, _SUFFIX)
+        elif options.save.suffix == _SUFFIX:
+            expected = f"a folder beside --failures, whose name has no {_SUFFIX}"
+            raise InvalidValue("--save", str(options.save), expected)
         return
     viewer.program()
     if options.serve:
@@ -118,7 +121,8 @@ def _show(options: ReplayOptions, files: Sequence[Path]) -> None:
     # Who is asked to end would else leave the server behind.
     usual = signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
-        viewer.serve(files, options.host, options.port, _tell_address)
+        passing = files[0].parent
+        viewer.serve(files, options.host, options.port, _tell_address, passing)
     except KeyboardInterrupt:
         say_aside("stopped")
     finally:

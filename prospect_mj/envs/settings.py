@@ -1,6 +1,7 @@
 """What the environment can be told."""
 
 import operator
+from collections.abc import Sequence
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any, Literal, Self, get_args
@@ -79,6 +80,7 @@ class PickPlaceSettings:
         for name, kind in _KINDS.items():
             if not isinstance(getattr(self, name), kind):
                 raise InvalidValue(name, getattr(self, name), f"a {kind.__name__}")
+        _check_schedule(self.shaping)
         Supervisor(self.supervisor, self.shaping)
         # A choice or a number that makes no recording makes no live physics either.
         _ = self.recorded_as
@@ -142,6 +144,13 @@ def _as_integer(name: str, value: object) -> int:
         return value if isinstance(value, bool) else operator.index(value)
     except TypeError as error:
         raise InvalidValue(name, value, "an integer") from error
+
+
+def _check_schedule(shaping: object) -> None:
+    # A word by itself would be read letter by letter.
+    if not isinstance(shaping, Sequence) or isinstance(shaping, str):
+        expected = "a list of <action>:<trials>, such as swap-left-to-right:200"
+        raise InvalidValue("shaping", shaping, expected)
 
 
 def _as_path(folder: object) -> Path:

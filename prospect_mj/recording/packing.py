@@ -116,11 +116,12 @@ def check_free(target: Path, growing: Path) -> None:
         growing: folder of what is to be packed.
 
     Raises:
-        RecordingError: if something is there, or will be.
+        RecordingError: if something is there, or will be, or one is in the other.
     """
     files.check_folder(target)
-    if growing.resolve().is_relative_to(target.resolve()):
-        words = "can't be packed into: the recording grows in it"
+    place, grown = target.resolve(), growing.resolve()
+    if grown.is_relative_to(place) or place.is_relative_to(grown):
+        words = "can't be packed into: the recording grows in it, or around it"
         raise RecordingError(f"{target} {words}")
     if target.exists() and any(target.iterdir()):
         raise _occupied(target)

@@ -1,7 +1,7 @@
 """An episode as a video, rendered from its states at real time."""
 
 from collections.abc import Generator, Iterator, Sequence
-from contextlib import closing
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -64,7 +64,8 @@ def film(episode: Episode, path: Path, settings: VideoSettings | None = None) ->
 
     Raises:
         EpisodeError: if the episode can't be played back.
-        OSError: if the file can't be written.
+        ChildProcessError: if ffmpeg fails, as it does on a full disk.
+        OSError: if the file can't be written for another reason.
     """
     settings = VideoSettings() if settings is None else settings
     unfinished = temporary(path).with_suffix(".mp4")
@@ -75,8 +76,11 @@ def film(episode: Episode, path: Path, settings: VideoSettings | None = None) ->
     try:
         with bar, closing(_writer(unfinished, settings)) as writer:
             for picture in shown:
-                writer.send(np.ascontiguousarray(picture))
+                with _told_plainly(path):
+                    writer.send(np.ascontiguousarray(picture))
                 bar.update()
+        with _told_plainly(path):
+            _check_whole(unfinished, len(times))
         unfinished.replace(path)
     finally:
         unfinished.unlink(missing_ok=True)
@@ -140,6 +144,27 @@ def _with_words(picture: Image, lines: Sequence[str]) -> Image:
     return picture
 
 
+@contextmanager
+def _told_plainly(path: Path) -> Iterator[None]:
+    """One line for what ffmpeg, and the library that runs it, have to say."""
+    try:
+        yield
+    except (OSError, RuntimeError) as error:
+        words = f"{path} can't be written: ffmpeg failed; the disk may be full"
+        raise ChildProcessError(words) from error
+
+
+def _check_whole(path: Path, n_pictures: int) -> None:
+    """Notice an ffmpeg that failed at the end, which goes by in silence.
+
+    Raises:
+        RuntimeError: if it did.
+    """
+    found, _ = imageio_ffmpeg.count_frames_and_secs(path)
+    if found != n_pictures:
+        raise RuntimeError(f"{found} of {n_pictures} pictures are there")
+
+
 def _writer(path: Path, settings: VideoSettings) -> Generator[None, Image, None]:
     """Takes pictures by `send`; the file is whole when it is closed.
 
@@ -159,6 +184,7 @@ def _writer(path: Path, settings: VideoSettings) -> Generator[None, Image, None]
         macro_block_size=2,
         # The table of contents comes first, so that a browser plays at once.
         output_params=["-movflags", "+faststart"],
+        ffmpeg_log_level="quiet",
     )
     next(writer)
     return writer

@@ -3,6 +3,7 @@
 The program itself is run: the Python one in front of it keeps its exit code to itself.
 """
 
+import errno
 import importlib.util
 import ipaddress
 import os
@@ -11,19 +12,22 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from urllib.parse import quote
 from urllib.request import urlopen
 
 from prospect_mj.checks import check_integer
 from prospect_mj.errors import InvalidValue, MissingViewer
+from prospect_mj.replay import tended
 
 HOST, PORT = "127.0.0.1", 9090
 """Where a browser finds the viewer, unless told otherwise."""
 VULKAN_PACKAGE = "mesa-vulkan-drivers"
 """Debian's, of the software renderer where there is no graphics card."""
 
+_ADDRESS = "an IPv4 address of this machine, such as 127.0.0.1 or 0.0.0.0"
 _PATIENCE, _POLL = 30.0, 0.1
 """For a server to answer [s]."""
 _NO_DRIVER = ("graphics adapter", "render context")
@@ -56,15 +60,20 @@ def show(files: Sequence[Path]) -> None:
 
 
 def serve(
-    files: Sequence[Path], host: str, port: int, ready: Callable[[str], None]
+    files: Sequence[Path],
+    host: str,
+    port: int,
+    ready: Callable[[str], None],
+    passing: Path | None = None,
 ) -> None:
-    """Let browsers look, until the process is interrupted.
+    """Let browsers look, until the process is interrupted; also when it is killed.
 
     Args:
         files: what they see.
         host: address on which it listens; 0.0.0.0: on all that the machine has.
         port: of the page; the data come from the next one.
         ready: told the page's address when it is there.
+        passing: a folder that goes with the server; None: there is none.
 
     Raises:
         InvalidValue: if the address is none, or one of the ports is taken.
@@ -75,15 +84,12 @@ def serve(
     options = ["--bind", host, "--port", port + 1, "--web-viewer-port", port]
     options += ["--cors-allow-origin", f"http://{name}:{port}"]
     command = _command("--serve-web", *options, *files)
-    with subprocess.Popen(command, env=quiet(), **_CAPTURED) as server:
-        try:
-            if _answers(server, f"http://{host}:{port}"):
-                data = quote(f"rerun+http://{name}:{port + 1}/proxy", safe="")
-                ready(f"http://{name}:{port}/?url={data}")
-            _, said = server.communicate()
-            raise ChildProcessError(failure(server.returncode, said))
-        finally:
-            server.terminate()
+    with _tended(command, passing) as server:
+        if _answers(server, f"http://{host}:{port}"):
+            data = quote(f"rerun+http://{name}:{port + 1}/proxy", safe="")
+            ready(f"http://{name}:{port}/?url={data}")
+        said = server.stderr.read()
+        raise ChildProcessError(failure(server.wait(), said))
 
 
 def free_port() -> int:
@@ -100,7 +106,8 @@ def check_port_free(host: str, port: int) -> None:
         port: its number.
 
     Raises:
-        InvalidValue: if one of them is taken, or the address is no IPv4 one.
+        InvalidValue: if one of them is taken, or the address is no IPv4 one of this
+            machine.
     """
     _check_address(host)
     check_integer("--port", port, 1, 2**16 - 2)
@@ -109,6 +116,8 @@ def check_port_free(host: str, port: int) -> None:
             with socket.create_server((host, number)):
                 pass
         except OSError as error:
+            if error.errno == errno.EADDRNOTAVAIL:
+                raise InvalidValue("--host", host, _ADDRESS) from error
             free = f"a free one on {host}, and the next one free too"
             raise InvalidValue("--port", port, f"{free} ({error.strerror})") from error
 
@@ -118,8 +127,7 @@ def _check_address(host: str) -> None:
     try:
         ipaddress.IPv4Address(host)
     except ValueError as error:
-        expected = "an IPv4 address, such as 127.0.0.1 or 0.0.0.0"
-        raise InvalidValue("--host", host, expected) from error
+        raise InvalidValue("--host", host, _ADDRESS) from error
 
 
 _CAPTURED = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}
@@ -129,6 +137,19 @@ def _run(*arguments: object) -> None:
     done = subprocess.run(_command(*arguments), env=quiet(), check=False, **_CAPTURED)
     if done.returncode != 0:
         raise ChildProcessError(failure(done.returncode, done.stderr))
+
+
+@contextmanager
+def _tended(
+    command: Sequence[str], folder: Path | None
+) -> "Iterator[subprocess.Popen[str]]":
+    """A program that ends with what follows, or with this process; see `tended`."""
+    tender = [sys.executable, "-I", tended.__file__, str(folder or "")]
+    with subprocess.Popen(
+        [*tender, *command], env=quiet(), stdin=subprocess.PIPE, **_CAPTURED
+    ) as running:
+        # Leaving closes its standard input.
+        yield running
 
 
 def _command(*arguments: object) -> list[str]:

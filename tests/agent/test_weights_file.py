@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from prospect_mj.agent import LearnerSettings, LinearQ
-from prospect_mj.errors import InvalidValue
+from prospect_mj.errors import InvalidValue, UnfitWeights
 from prospect_mj.storage import replace_file
 
 SETTINGS = LearnerSettings(step_size=0.01, epsilon=0.2)
@@ -75,6 +75,19 @@ def rewrite(path, **changes):
 def test_foreign_archive_is_refused(saved, changes):
     rewrite(saved, **changes)
     with pytest.raises(InvalidValue, match=r"weights\.npz"):
+        LinearQ.load(saved)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"format": np.array("prospect_mj linear Q 9")}, "format 'prospect_mj linear"),
+        ({"weights": np.full((6, 303), np.nan)}, "weights that are not finite"),
+    ],
+)
+def test_weights_of_no_use_say_why(saved, changes, words):
+    rewrite(saved, **changes)
+    with pytest.raises(UnfitWeights, match=rf"weights\.npz has {words}"):
         LinearQ.load(saved)
 
 

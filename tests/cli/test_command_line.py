@@ -1,5 +1,6 @@
 import io
 import os
+import signal
 import subprocess
 import sys
 import warnings
@@ -15,6 +16,7 @@ from prospect_mj.cli import command_line
 from prospect_mj.errors import (
     InvalidValue,
     MissingFile,
+    RenderingUnavailable,
     RunFolderError,
     SimulationDiverged,
 )
@@ -59,6 +61,58 @@ def test_interruption_promises_only_what_the_command_keeps(capsys):
     assert capsys.readouterr().err == "interrupted\n"
     assert command_line.run(interrupted, "interrupted: all is kept") == 130
     assert capsys.readouterr().err == "interrupted: all is kept\n"
+
+
+def test_an_interruption_that_a_library_made_another_error_of_is_one(capsys):
+    """As of Ctrl-C in a function that C calls back, while OpenGL is looked for."""
+
+    def command():
+        try:
+            signal.raise_signal(signal.SIGINT)
+        except KeyboardInterrupt as error:
+            raise RenderingUnavailable("argument 1: KeyboardInterrupt") from error
+
+    usual = signal.getsignal(signal.SIGINT)
+    assert command_line.run(command) == 130
+    assert capsys.readouterr().err == "interrupted\n"
+    assert signal.getsignal(signal.SIGINT) is usual
+    assert command_line.run(raising(RenderingUnavailable("no driver"))) == 2
+
+
+def test_a_command_whose_interruption_is_ignored_goes_on(monkeypatch):
+    usual = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        assert command_line.run(lambda: signal.raise_signal(signal.SIGINT)) == 0
+    finally:
+        signal.signal(signal.SIGINT, usual)
+
+
+CLOSED = """
+import os, subprocess, sys, tqdm
+from prospect_mj.cli import command_line
+
+def command():
+    print("told")
+    for _ in tqdm.tqdm(range(3), disable=None):
+        print("aside", file=sys.stderr, flush=True)
+    subprocess.run([sys.executable, "-c", "import sys; sys.stderr.fileno()"],
+                   check=True, stdin=subprocess.DEVNULL)
+    with open("done", "w"):
+        pass
+
+sys.exit(command_line.run(command))
+"""
+
+
+@pytest.mark.parametrize("closed", [">&-", "2>&-", "<&- >&- 2>&-"])
+def test_a_command_does_its_work_with_closed_streams(closed, tmp_path):
+    shell = ["sh", "-c", f'exec "$0" -c "$1" {closed}', sys.executable, CLOSED]
+    done = subprocess.run(shell, cwd=tmp_path, capture_output=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "done").exists()
+    # What is for the one stream never goes to the other.
+    assert b"aside" not in done.stdout
+    assert b"told" not in done.stderr
 
 
 def test_programming_errors_are_not_hidden():

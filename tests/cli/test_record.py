@@ -97,7 +97,7 @@ def test_packing_says_how_many_trees_and_how_many_are_left_out(capsys):
     assert record.main([*fewer, "--out", "it", "--pack", "packed"]) == 0
     said = capsys.readouterr().out.splitlines()
     assert said[1] == "packed: 2 trees packed"
-    assert said[2].startswith("2 trees of it are left out: ")
+    assert said[2].startswith("2 trees of it left out: ")
     assert len(said) == 3
     assert len(Recording.load(Path("packed")).presentations.root) == 2
 

@@ -58,6 +58,12 @@ def recorded(**settings):
     return PickPlaceDmEnv(seed=3, physics="recorded", **settings)
 
 
+@pytest.mark.parametrize("shaping", [5, None, "swap-left-to-right:200", {"a": 1}])
+def test_a_schedule_that_is_no_list_is_named(shaping):
+    with pytest.raises(InvalidValue, match=r"^shaping is .*a list of <action>"):
+        recorded(shaping=shaping)
+
+
 def test_specs_have_names_and_bounds():
     env = recorded()
     assert isinstance(env.action_spec(), specs.DiscreteArray)

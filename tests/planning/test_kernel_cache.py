@@ -18,24 +18,6 @@ from prospect_mj.planning import streamline
 print(numba.config.CACHE_DIR)
 """
 
-PLAN = """
-import numpy as np
-from arm_scene import ArmScene
-from prospect_mj.planning.goals import GoalSet
-from prospect_mj.planning.planner import GrossPlanner, World
-from prospect_mj.planning.settings import PlannerSettings
-from prospect_mj.robot import posture
-
-scene = ArmScene()
-settings = PlannerSettings()
-scene.place_post(np.array([1.07, -0.70]))
-goals = posture.over_well("left")[None]
-planner = GrossPlanner(scene.model, "left", settings)
-goal_set = GoalSet(lambda: goals, most=1)
-world = World(scene.data, scene.jars)
-assert planner.plan(posture.home("left"), [goal_set], world) is not None
-"""
-
 
 @pytest.fixture
 def package(tmp_path, monkeypatch):
@@ -104,16 +86,3 @@ def test_whoever_imports_a_planner_uses_it(tmp_path):
     assert done.returncode == 0, done.stderr
     assert Path(done.stdout.strip()).parent == tmp_path
     assert done.stdout.strip().endswith(kernel_cache.sources()[:16])
-
-
-def test_what_is_cached_has_one_signature(tmp_path):
-    """Two processes that compile at the same time could mix up two of them."""
-    environment = {"NUMBA_CACHE_DIR": str(tmp_path)}
-    environment["PYTHONPATH"] = os.pathsep.join(sys.path)
-    subprocess.run(
-        [sys.executable, "-c", PLAN], env=os.environ | environment, check=True
-    )
-    functions = [path.stem.rpartition(".")[0] for path in tmp_path.rglob("*.nbc")]
-    assert any("free_cells" in name for name in functions), functions
-    assert len(functions) > 20
-    assert sorted(set(functions)) == sorted(functions)

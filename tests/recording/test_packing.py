@@ -158,6 +158,7 @@ def test_only_a_free_folder_is_packed_into(tmp_path):
         tmp_path / "full" / "thesis.tex": "is not a folder",
         growing: "grows in it",
         tmp_path / "runs": "grows in it",
+        growing / "packed" / "new": "grows in it, or around it",
         tmp_path / "x" / ".." / "runs": "grows in it",
     }.items():
         with pytest.raises(RecordingError, match=words):

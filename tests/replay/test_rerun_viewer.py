@@ -117,7 +117,7 @@ def test_a_port_that_is_taken_is_refused():
             viewer.check_port_free("127.0.0.1", number)
 
 
-@pytest.mark.parametrize("host", ["localhost", "::1", "", "127.0.0.1:80"])
+@pytest.mark.parametrize("host", ["localhost", "::1", "", "127.0.0.1:80", "8.8.8.8"])
 def test_a_host_that_rerun_can_not_listen_on_is_refused(host):
     with pytest.raises(InvalidValue, match=r"--host is .* an IPv4 address"):
         viewer.check_port_free(host, 9090)

@@ -88,6 +88,20 @@ def test_a_film_that_could_not_be_finished_is_not_there(short, tmp_path, monkeyp
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.parametrize("script", ["exit 1", "cat > /dev/null; exit 1"])
+def test_an_ffmpeg_that_fails_is_one_line(script, short, tmp_path, monkeypatch, capfd):
+    """As on a full disk: at once, or when all pictures are there."""
+    ffmpeg, films = tmp_path / "ffmpeg", tmp_path / "films"
+    ffmpeg.write_text(f"#!/bin/sh\n{script}\n")
+    ffmpeg.chmod(0o755)
+    films.mkdir()
+    monkeypatch.setenv("IMAGEIO_FFMPEG_EXE", str(ffmpeg))
+    with pytest.raises(ChildProcessError, match=r"late\.mp4 can't be written: ffmpeg"):
+        film(short, films / "late.mp4", SMALL)
+    assert capfd.readouterr().err == ""
+    assert not list(films.iterdir())
+
+
 def test_without_ffmpeg_it_says_so_and_leaves_nothing(short, tmp_path, monkeypatch):
     def missing():
         raise RuntimeError("No ffmpeg exe could be found.")

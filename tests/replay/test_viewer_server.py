@@ -1,5 +1,10 @@
 """Rerun's programs that end too early, or don't answer."""
 
+import os
+import subprocess
+import sys
+import time
+
 import pytest
 
 from prospect_mj.replay import screenshot, viewer
@@ -25,6 +30,46 @@ def test_no_page_is_told_of_a_server_that_ended(program, tmp_path):
     with pytest.raises(ChildProcessError, match="code 3: Error: no such file"):
         viewer.serve([tmp_path / "none.rrd"], viewer.HOST, port, told.append)
     assert told == []
+
+
+SERVE = """
+import sys
+from pathlib import Path
+from prospect_mj.replay import viewer
+
+viewer.program = lambda: Path(sys.argv[1])
+viewer._answers = lambda server, page: True
+viewer.serve([], viewer.HOST, viewer.free_port(), print, Path(sys.argv[2]))
+"""
+
+
+def is_alive(process):
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+def test_the_server_and_its_folder_go_with_a_process_that_is_killed(tmp_path):
+    rerun, folder, started = (tmp_path / name for name in ("rerun", "passing", "pid"))
+    tell = f"echo $$ > {started}.new && mv {started}.new {started}"
+    rerun.write_text(f"#!/bin/sh\n{tell}\nexec sleep 60\n")
+    rerun.chmod(0o755)
+    folder.mkdir()
+    (folder / "late.rrd").touch()
+    process = subprocess.Popen([sys.executable, "-c", SERVE, rerun, folder])
+    deadline = time.monotonic() + 30
+    while not started.exists() and time.monotonic() < deadline:
+        time.sleep(0.02)
+    server = int(started.read_text())
+    assert is_alive(server)
+    process.kill()
+    process.wait()
+    while (is_alive(server) or folder.exists()) and time.monotonic() < deadline:
+        time.sleep(0.02)
+    assert not is_alive(server)
+    assert not folder.exists()
 
 
 def test_a_viewer_that_never_answers_is_given_up(program, tmp_path, monkeypatch):

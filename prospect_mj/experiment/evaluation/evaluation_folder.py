@@ -17,7 +17,7 @@ from typing import Self
 import pyarrow as pa
 
 from prospect_mj.agent import LinearQ
-from prospect_mj.errors import RunFolderError
+from prospect_mj.errors import RunFolderError, is_machines_fault
 from prospect_mj.experiment.run.folder_guard import check_vacant
 from prospect_mj.experiment.run.records import action_table, trial_table
 from prospect_mj.experiment.run.run_files import WEIGHTS, RunState
@@ -58,11 +58,14 @@ class EvaluationFolder(LockedFolder):
 
         Raises:
             RunFolderError: if the folder is occupied or can't be written.
+            OSError: if the machine is at fault, as on a full disk.
         """
         try:
             path.mkdir(parents=True, exist_ok=True)
             return cls(path, evaluation, lambda: _begun(path, evaluation, learner))
         except OSError as error:
+            if is_machines_fault(error):
+                raise
             words = f"{path} can't be written: {error.strerror}"
             raise RunFolderError(words) from error
 

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from tqdm import tqdm
 
 from prospect_mj.agent import StateFeatureGenerator
+from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.portraits.decisive_bins import MadeUpMind
 from prospect_mj.experiment.portraits.histograms import SeenHistograms
 from prospect_mj.experiment.portraits.run_frame import name_of
@@ -14,6 +15,7 @@ from prospect_mj.experiment.portraits.start_value_picture import start_values
 from prospect_mj.experiment.portraits.strategy_picture import strategies
 from prospect_mj.experiment.portraits.weights_picture import weights
 from prospect_mj.experiment.view.run_view import RunView
+from prospect_mj.sim import gl
 from prospect_mj.task.presentation import Orientation
 
 STRATEGIES = "strategies.png"
@@ -21,6 +23,9 @@ VALUES = "q_values.png"
 WEIGHTS = "weights.png"
 GRASPS = "grasp_portraits.png"
 MISLED = "misled_grasps.png"
+
+_LARGEST = 1e300
+"""Number that can be drawn: sums of larger ones overflow."""
 
 Draw = Callable[[], bytes]
 Say = Callable[[str], None]
@@ -38,11 +43,13 @@ def draw(run: RunView, n_misled: int, say: Say) -> dict[str, bytes]:
         Pictures as PNG, by the names of their files.
 
     Raises:
-        EpisodeError: if a kept episode is damaged or of another run.
+        RunFolderError: if its numbers have grown too large.
         RecordingError: if the kept episodes don't show both orientations, and the
             recording is damaged.
-        RenderingUnavailable: if grasps are to be simulated without OpenGL.
+        RenderingUnavailable: if grasps are to be simulated without OpenGL, or MuJoCo
+            can't be loaded for want of it.
     """
+    _check_drawable(run)
     work: dict[str, Draw] = {
         STRATEGIES: lambda: strategies(run),
         VALUES: lambda: start_values(run),
@@ -59,11 +66,24 @@ def draw(run: RunView, n_misled: int, say: Say) -> dict[str, bytes]:
     return {name: picture() for name, picture in bar}
 
 
+def _check_drawable(run: RunView) -> None:
+    """Refuse a run that learned nothing but to overflow."""
+    q_values = np.array(run.actions["q_values"].to_pylist())
+    largest = max(np.abs(run.learner.weights).max(), np.abs(q_values).max())
+    if largest > _LARGEST:
+        grown = f"its weights or Q-values have grown to {largest:.0e}"
+        raise RunFolderError(f"{run.path} can't be drawn: {grown}")
+
+
 def _of_episodes(run: RunView) -> dict[str, Draw]:
     # Where nothing was simulated, nothing of MuJoCo is loaded.
-    from prospect_mj.experiment.portraits.grasp_picture import portraits
-    from prospect_mj.experiment.portraits.kept_material import read_kept
-
+    try:
+        from prospect_mj.experiment.portraits.grasp_picture import portraits
+        from prospect_mj.experiment.portraits.kept_material import read_kept
+    except Exception:
+        # MuJoCo loads OpenGL, and has an error of its own for each way to lack it.
+        gl.require_gl()
+        raise
     kept = read_kept(run)
     work: dict[str, Draw] = {WEIGHTS: lambda: weights_of(run, kept.counts)}
     if kept.grasps:
@@ -109,7 +129,7 @@ def _why_no_grasps(run: RunView) -> str:
     if run.config.physics == "recorded":
         why = "a run on recorded physics has no episodes"
     elif run.kept_trials:
-        why = "no jar was grasped in the kept episodes"
+        why = "the kept episodes show no grasp"
     else:
         why = "the run kept no episodes, as --record every=50 of the training would"
     return f"no {GRASPS}: {why}; --grasps 12 simulates some grasps"

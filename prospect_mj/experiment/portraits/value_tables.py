@@ -15,6 +15,8 @@ from prospect_mj.experiment.paper.figures.figure_frame import (
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
 from prospect_mj.task.presentation import Orientation
 
+_LONG = 1e5
+"""A number that is written by its power of ten."""
 _HELD = {"none": "no hand", "left": "left hand", "right": "right hand"}
 
 
@@ -49,7 +51,9 @@ def draw_tables(
 
 
 def signed(value: float) -> str:
-    """A number with its sign, and with two decimals."""
+    """A number with its sign, and with two decimals as far as there is room for it."""
+    if abs(value) >= _LONG:
+        return f"{value:+.1e}".replace("-", "\N{MINUS SIGN}")
     # Adding zero makes a negative one positive.
     return f"{round(value, 2) + 0.0:+.2f}".replace("-", "\N{MINUS SIGN}")
 

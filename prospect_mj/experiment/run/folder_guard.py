@@ -36,17 +36,31 @@ def check_vacant(
     Raises:
         RunFolderError: if `path` is a file, has something else in it, or can't be made.
     """
+    check_holds_only(path, remedy, is_own)
+    ancestry = (path.absolute(), *path.absolute().parents)
+    nearest = next(folder for folder in ancestry if os.path.exists(folder))
+    if not nearest.is_dir() or not os.access(nearest, os.W_OK):
+        raise RunFolderError(f"{path} can't be made: {nearest} can't be written to")
+
+
+def check_holds_only(path: Path, remedy: str, is_own: Callable[[str], bool]) -> None:
+    """Refuse a folder with something in it that is not its own.
+
+    Args:
+        path: the folder, if it is there.
+        remedy: what to do then.
+        is_own: whether something of a name may be in it.
+
+    Raises:
+        RunFolderError: if there is, or `path` is a file, or can't be read.
+    """
     try:
         if path.exists() and not path.is_dir():
             raise RunFolderError(f"{path} is not a folder")
         if path.exists() and not all(is_own(file.name) for file in path.iterdir()):
             raise RunFolderError(f"{path} is not empty; {remedy}")
-        ancestry = (path.absolute(), *path.absolute().parents)
-        nearest = next(folder for folder in ancestry if folder.exists())
     except OSError as error:
         raise RunFolderError(f"{path} can't be read: {error.strerror}") from error
-    if not nearest.is_dir() or not os.access(nearest, os.W_OK):
-        raise RunFolderError(f"{path} can't be made: {nearest} can't be written to")
 
 
 def new_default() -> Path:

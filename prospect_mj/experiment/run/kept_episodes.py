@@ -32,9 +32,11 @@ class Kept:
         if words == "failures":
             return cls(None)
         name, _, digits = words.partition("=")
-        number = whole_number(digits)
-        if name != "every" or number is None:
+        if name != "every" or not (digits.isascii() and digits.isdecimal()):
             raise InvalidValue("--record", words, _WORDS)
+        number = whole_number(digits)
+        # More digits than any number has that could be meant.
+        number = f"{digits[:20]}..." if number is None else number
         check_integer("N of every=N", number, 1, 1_000_000)
         return cls(number)
 

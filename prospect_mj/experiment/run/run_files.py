@@ -1,5 +1,6 @@
 """The files of a run, as `run_folder` describes them, and reading its state."""
 
+import os
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -11,8 +12,8 @@ from pyarrow.lib import ArrowException
 
 from prospect_mj import tables
 from prospect_mj.agent import LinearQ
-from prospect_mj.errors import ForeignTable, ProspectError, RunFolderError
-from prospect_mj.experiment.run import config_file
+from prospect_mj.errors import ForeignTable, ProspectError, RunFolderError, UnfitWeights
+from prospect_mj.experiment.run import config_file, soundness
 from prospect_mj.experiment.run.records import ACTION_SCHEMA, TRIAL_SCHEMA
 
 CONFIG = config_file.NAME
@@ -85,11 +86,11 @@ def _was_killed_at_birth(path: Path, origin: str) -> bool:
 
 def _check_together(path: Path, state: RunState) -> None:
     """The three files must tell of the same trials."""
-    n_updates = state.learner.n_updates
+    taken = np.bincount(state.actions["trial"].to_numpy()).tolist()
     numbers = state.trials["trial"].to_pylist()
     if (
-        state.actions.num_rows != n_updates
-        or state.trials["n_actions"].to_numpy().sum() != n_updates
+        state.actions.num_rows != state.learner.n_updates
+        or state.trials["n_actions"].to_pylist() != taken
         or numbers != list(range(len(numbers)))
     ):
         raise RunFolderError(
@@ -117,7 +118,9 @@ def read_table(path: Path, name: str, origin: str) -> pa.Table:
     """
     schema = _SCHEMAS[name]
     reader = partial(tables.read, schema=schema, origin=origin, of="run")
-    return _read(path / name, reader)
+    table = _read(path / name, reader)
+    soundness.check(path / name, table)
+    return table
 
 
 def _read(path: Path, reader: Callable[[Path], _Content]) -> _Content:
@@ -126,7 +129,8 @@ def _read(path: Path, reader: Callable[[Path], _Content]) -> _Content:
         return reader(path)
     except RunFolderError:
         raise
-    except ForeignTable as error:
+    except (ForeignTable, UnfitWeights) as error:
         raise RunFolderError(str(error)) from error
     except (OSError, ArrowException, ProspectError) as error:
-        raise RunFolderError(f"{path} can't be read: missing or damaged") from error
+        why = "it is damaged" if os.path.exists(path) else "it is missing"
+        raise RunFolderError(f"{path} can't be read: {why}") from error

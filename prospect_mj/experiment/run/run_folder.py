@@ -15,10 +15,10 @@ be resumed. All of them but the picture carry the digest of the run.
 """
 
 from pathlib import Path
-from typing import Self
+from typing import NoReturn, Self
 
 from prospect_mj import tables
-from prospect_mj.errors import RunFolderError
+from prospect_mj.errors import RunFolderError, is_machines_fault
 from prospect_mj.experiment.run import config_file, fingerprint, folder_guard, run_files
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.records import (
@@ -61,13 +61,14 @@ class RunFolder(LockedFolder):
 
         Raises:
             RunFolderError: if the folder is occupied or can't be written.
+            OSError: if the machine is at fault, as on a full disk.
         """
         try:
             path = folder_guard.new_default() if path is None else path
             path.mkdir(parents=True, exist_ok=True)
             folder = cls(path, config)
         except OSError as error:
-            raise _not_writable(path, error) from error
+            _refuse(path, error)
         with folder.closed_if_it_fails():
             folder._begin()
         return folder
@@ -120,7 +121,7 @@ class RunFolder(LockedFolder):
             config_file.write(self.path / CONFIG, self.config)
             self._write_state()
         except OSError as error:
-            raise _not_writable(self.path, error) from error
+            _refuse(self.path, error)
 
     def _write_state(self) -> None:
         for name, table in ((ACTIONS, self.actions), (TRIALS, self.trials)):
@@ -148,6 +149,8 @@ def read_config(path: Path) -> TrainConfig:
     return config_file.read(run_files.checked_config(path))
 
 
-def _not_writable(path: Path | None, error: OSError) -> RunFolderError:
+def _refuse(path: Path | None, error: OSError) -> NoReturn:
+    if is_machines_fault(error):
+        raise error
     where = folder_guard.DEFAULT_PARENT if path is None else path
-    return RunFolderError(f"{where} can't be written: {error.strerror}")
+    raise RunFolderError(f"{where} can't be written: {error.strerror}") from error

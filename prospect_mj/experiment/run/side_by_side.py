@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from tqdm import tqdm
 
-from prospect_mj.errors import ProspectError, RunFolderError, is_inputs_fault
+from prospect_mj.errors import ProspectError, RunFolderError, is_inputs_fault, told
 from prospect_mj.experiment.run import session
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.environment import MakeEnvironment, make_environment
@@ -83,11 +83,12 @@ def check_all_finished(ended: Sequence[Ended]) -> None:
     failed = [run for run in ended if run.failure is not None]
     if not failed:
         return
-    words = "; ".join(f"{run.path.name}: {run.failure}" for run in failed)
-    counted = f"{len(failed)} of {len(ended)} runs failed, the others are finished"
-    told = f"{counted}: {words}"
+    words = "; ".join(f"{run.path.name}: {told(run.failure)}" for run in failed)
+    others = "" if len(failed) == len(ended) else ", the others are finished"
+    counted = f"{len(failed)} of {len(ended)} runs failed{others}"
+    line = f"{counted}: {words}"
     blamed = any(is_inputs_fault(run.failure) for run in failed)
-    raise RunFolderError(told) if blamed else ChildProcessError(told)
+    raise RunFolderError(line) if blamed else ChildProcessError(line)
 
 
 def _work(run: Wanted) -> Ended:

@@ -40,7 +40,11 @@ def check(out: Path, runs: Sequence[Wanted]) -> None:
         RunFolderError: if `out` is a file, has something else in it, or can't be made;
             or a run in it is another one or can't be gone on with.
     """
-    folder_guard.check_vacant(out, "choose another folder with --out", _is_own)
+    remedy = "choose another folder with --out"
+    folder_guard.check_holds_only(out, remedy, _is_own)
+    if not all(is_finished(run) for run in runs):
+        # What is finished may be summed up again from where nothing can be written.
+        folder_guard.check_vacant(out, remedy, _is_own)
     for run in runs:
         if (run.path / CONFIG).exists():
             check_same_run(run.path, read_config(run.path), run.config)

@@ -101,12 +101,17 @@ def _finish(runs: Sequence[Wanted], jobs: int, told: Collection[Warned]) -> None
 
 
 def _sum_up(out: Path, runs: Sequence[RunView]) -> SeedsSummary:
-    """Write figures and picture."""
+    """Write figures and picture, but for what is there already."""
     summary, config = SeedsSummary.of(runs), runs[0].config
-    replace_file(out / SUMMARY, summary.markdown().encode())
-    figures = yaml.safe_dump(asdict(summary), sort_keys=False)
-    replace_file(out / FIGURES, figures.encode())
     n_actions = np.array([run.trials["n_actions"].to_numpy() for run in runs])
-    picture = learning_curves(n_actions, config.pretrain, config.max_actions)
-    replace_file(out / CURVES, picture)
+    contents = {
+        SUMMARY: summary.markdown().encode(),
+        FIGURES: yaml.safe_dump(asdict(summary), sort_keys=False).encode(),
+        CURVES: learning_curves(n_actions, config.pretrain, config.max_actions),
+    }
+    for name, content in contents.items():
+        path = out / name
+        # The disk may be one to which nothing can be written any more.
+        if not path.is_file() or path.read_bytes() != content:
+            replace_file(path, content)
     return summary

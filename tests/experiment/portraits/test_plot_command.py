@@ -1,8 +1,10 @@
 """`plot`: files, and one line for what can't be drawn."""
 
+import os
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 from ideal_env import IdealEnv
 
@@ -107,10 +109,55 @@ def test_a_damaged_run_is_named_and_nothing_is_written(run, capsys):
     assert not (run / "plots").exists()
 
 
-def test_a_damaged_episode_is_named_and_nothing_is_written(run, capsys):
+def test_damaged_episodes_are_named_and_left_out(run, capsys):
     (run / "episodes").mkdir()
-    (run / "episodes" / "trial-000002.npz").write_bytes(b"PK")
-    assert "trial-000002.npz" in refused(capsys, run)
+    for number in (0, 2):
+        path_of(run, number).write_bytes(b"PK")
+    assert main([str(run)]) == 0
+    assert names(run / "plots") == ALWAYS
+    warning, missing = capsys.readouterr().err.splitlines()
+    assert warning.startswith("warning: 2 of the 2 kept episodes left out: ")
+    assert "trial-000000.npz can't be read" in warning
+    assert "trial-000002.npz can't be read" in warning
+    assert missing.startswith("no grasp_portraits.png: the kept episodes show no grasp")
+
+
+def test_without_opengl_kept_episodes_are_refused_in_one_line(run):
+    """MuJoCo, which they are read with, can't be loaded where its backend is none."""
+    (run / "episodes").mkdir()
+    path_of(run, 2).write_bytes(b"PK")
+    plot = "import sys; from prospect_mj.cli import plot; sys.exit(plot.main())"
+    done = subprocess.run(
+        [sys.executable, "-c", plot, str(run)],
+        env=os.environ | {"MUJOCO_GL": "nonsense"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    (line,) = done.stderr.splitlines()
+    assert "MUJOCO_GL=nonsense (invalid value" in line
+    assert "set it to egl" in line
+    assert done.returncode == 2
+    assert not (run / "plots").exists()
+
+
+def with_weights(run, factor):
+    learner = RunView.read(run).learner
+    learner.weights[:] = np.random.default_rng(0).normal(size=learner.weights.shape)
+    learner.weights *= factor
+    learner.save(run / "weights.npz")
+
+
+def test_huge_numbers_are_drawn_without_a_warning(run, capsys):
+    with_weights(run, 1e250)
+    assert main([str(run)]) == 0
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "no grasp_portraits.png" in line
+
+
+def test_numbers_that_overflow_are_one_line(run, capsys):
+    with_weights(run, 1e306)
+    assert "have grown to" in refused(capsys, run)
     assert not (run / "plots").exists()
 
 
@@ -155,7 +202,12 @@ def test_grasps_of_a_run_that_kept_them_are_drawn(run, grasped, capsys):
 
 @pytest.mark.gl
 def test_an_episode_of_another_run_is_named(run, grasped, capsys):
-    path = path_of(run, 1)
-    path.parent.mkdir()
-    episode_file.write(path, grasped[1], "another")
-    assert "is from another run" in refused(capsys, run)
+    for number, origin in ((1, "another"), (2, RunView.read(run).origin)):
+        path = path_of(run, number)
+        path.parent.mkdir(exist_ok=True)
+        episode_file.write(path, grasped[1], origin)
+    assert main([str(run)]) == 0
+    assert "grasp_portraits.png" in names(run / "plots")
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "1 of the 2 kept episodes left out" in line
+    assert "trial-000001.npz is from another run" in line

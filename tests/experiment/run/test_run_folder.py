@@ -21,6 +21,7 @@ from prospect_mj.experiment.run.kept_episodes import Kept
 from prospect_mj.experiment.run.records import ACTION_SCHEMA, TRIAL_SCHEMA
 from prospect_mj.experiment.run.run_folder import RunFolder
 from prospect_mj.experiment.view.run_view import RunView
+from prospect_mj.locking import LockedFolder
 from prospect_mj.recording import provenance
 from prospect_mj.recording.config import RecordingConfig
 from prospect_mj.recording.growing import GrowingRecording
@@ -395,13 +396,19 @@ def test_unwritable_parent_is_refused(tmp_path, monkeypatch):
         folder_guard.check_free(tmp_path / "new")
 
 
-def test_full_disk_is_an_error_of_the_run_folder(tmp_path, monkeypatch):
+def test_full_disk_is_an_error_of_the_machine_and_names_the_file(tmp_path, monkeypatch):
     def full(*_):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(storage.os, "fsync", full)
-    with pytest.raises(RunFolderError, match="No space left"):
+    with pytest.raises(OSError, match=r"No space left.*run/config\.yaml"):
         RunFolder.create(tmp_path / "run", CONFIG)
+    assert is_free(tmp_path / "run")
+
+
+def is_free(path):
+    LockedFolder(path).close()
+    return not list(path.iterdir())
 
 
 class Blind(IdealEnv):

@@ -14,6 +14,7 @@ import pytest
 import yaml
 from ideal_env import IdealEnv, refuse
 
+from prospect_mj import storage
 from prospect_mj.errors import (
     FolderInUse,
     MissingFile,
@@ -22,7 +23,7 @@ from prospect_mj.errors import (
     RunFolderError,
     SimulationDiverged,
 )
-from prospect_mj.experiment.run import session
+from prospect_mj.experiment.run import folder_guard, session
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.kept_episodes import Kept
 from prospect_mj.experiment.run.side_by_side import Ended
@@ -83,6 +84,22 @@ def test_the_same_again_runs_nothing(out, made):
     before = tree(out)
     assert make(out, env=refuse).markdown() == made[1].markdown()
     assert tree(out) == before
+
+
+def test_where_nothing_can_be_written_finished_runs_are_summed_up(
+    out, made, monkeypatch
+):
+    def read_only(path, mode="r", *more, **named):
+        if set(mode) & set("wa+"):
+            raise OSError(30, "Read-only file system", str(path))
+        return usual(path, mode, *more, **named)
+
+    usual = Path.open
+    monkeypatch.setattr(Path, "open", read_only)
+    monkeypatch.setattr(folder_guard.os, "access", lambda *_: False)
+    assert make(out, env=refuse).markdown() == made[1].markdown()
+    with pytest.raises(RunFolderError, match="can't be written to"):
+        make(out, (0, 1))
 
 
 class Interrupted(IdealEnv):
@@ -188,6 +205,18 @@ def test_one_that_fails_keeps_no_other_from_its_end(tmp_path):
     assert RunView.read(tmp_path / "out" / "seed-0002").n_trials == 6
 
 
+def test_a_disk_that_is_full_is_the_machines_fault_and_the_file_is_named(
+    tmp_path, monkeypatch
+):
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(storage.os, "fsync", full)
+    words = r"^1 of 1 runs failed: seed-0002: \S+config\.yaml: No space left on device$"
+    with pytest.raises(ChildProcessError, match=words):
+        make(tmp_path / "out", (2,))
+
+
 class Incomplete(Diverging):
     """An installation that lacks a file: an error of the system, and of the input."""
 
@@ -198,7 +227,7 @@ class Incomplete(Diverging):
 
 
 def test_input_at_fault_in_any_of_them_is_told_of_as_such(tmp_path):
-    with pytest.raises(RunFolderError, match="2 of 2 runs failed"):
+    with pytest.raises(RunFolderError, match=r"^2 of 2 runs failed: "):
         make(tmp_path / "out", env=Incomplete)
 
 
