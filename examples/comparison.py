@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from prospect_mj.agent import LinearQ
+from prospect_mj.agent import LinearQ, Observation, Transition
 from prospect_mj.checks import check_integer
 from prospect_mj.envs.pick_place import PickPlaceEnv
 
@@ -39,12 +39,14 @@ def paper_learner(trials: int, seed: int) -> list[int]:
     learner, lengths = LinearQ(rng=rng), []
     for trial in range(trials):
         features, _ = env.reset(seed=seed if trial == 0 else None)
-        ended, n_actions = False, 0
+        seen, ended, n_actions = Observation.of(features), False, 0
         while not ended:
-            action = learner.select(features, rng)
-            after, reward, terminated, truncated, _ = env.step(action)
-            learner.update(features, action, reward, after, terminated)
-            features, ended, n_actions = after, terminated or truncated, n_actions + 1
+            action = learner.select(seen, rng).action
+            features, reward, *ends, info = env.step(action)
+            after = Observation.of(features)
+            step = Transition(seen, action, reward, after, *ends, info["action_mask"])
+            learner.update(step, rng)
+            seen, ended, n_actions = after, step.is_last, n_actions + 1
         lengths.append(n_actions)
     return lengths
 

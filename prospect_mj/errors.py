@@ -66,8 +66,8 @@ class InvalidValue(ProspectError, ValueError):
         super().__init__(f"{what} is {value!r}; expected {expected}")
 
 
-class UnfitWeights(InvalidValue):
-    """Learned weights that were read and can't be used: of another version, say."""
+class UnfitCheckpoint(InvalidValue):
+    """A learner that was read and can't be used: of another kind or version, say."""
 
     def __init__(self, message: str) -> None:
         """Say what is wrong with them."""

@@ -8,8 +8,8 @@ from typing import Annotated
 
 import tyro
 
-from prospect_mj.agent import LearnerSettings
 from prospect_mj.cli import command_line
+from prospect_mj.cli.learner_options import learner_registry, with_learner
 from prospect_mj.cli.output import Output
 from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.run import session
@@ -23,7 +23,7 @@ from prospect_mj.recording.workers import Workers
 
 @dataclass(frozen=True)
 class TrainOptions:
-    """Train the Q-learner on live or recorded physics and write a run folder."""
+    """Train a learner on live or recorded physics and write a run folder."""
 
     config: Annotated[TrainConfig, tyro.conf.arg(name="")] = field(
         default_factory=TrainConfig
@@ -150,40 +150,9 @@ def _train_seeds(
 
 
 def _parse(argv: Sequence[str], prog: str, default: TrainOptions) -> TrainOptions:
+    learner = with_learner(default.config.learner, argv)
+    default = replace(default, config=replace(default.config, learner=learner))
+    registry = learner_registry()
     return command_line.parse(
-        TrainOptions, argv, default=default, prog=prog, registry=_REGISTRY
-    )
-
-
-_REGISTRY = tyro.constructors.ConstructorRegistry()
-
-_LEARNER_OPTIONS = {
-    "step_size": "alpha of the paper's update.",
-    "epsilon": "Probability of an action chosen at random.",
-    "discount": "gamma of the paper's update, per action.",
-    "initial_sd": "Standard deviation of the initial weights; 0: they are zero.",
-}
-
-
-@_REGISTRY.struct_rule
-def _learner_rule(
-    info: tyro.constructors.StructTypeInfo,
-) -> tyro.constructors.StructConstructorSpec | None:
-    """Offer the learner's parameters but not its sizes, which the task fixes."""
-    if info.type is not LearnerSettings:
-        return None
-    default = info.default
-    if not isinstance(default, LearnerSettings):
-        default = LearnerSettings()
-    return tyro.constructors.StructConstructorSpec(
-        instantiate=LearnerSettings,
-        fields=tuple(
-            tyro.constructors.StructFieldSpec(
-                name=name,
-                type=float,
-                default=getattr(default, name),
-                helptext=meaning,
-            )
-            for name, meaning in _LEARNER_OPTIONS.items()
-        ),
+        TrainOptions, argv, default=default, prog=prog, registry=registry
     )

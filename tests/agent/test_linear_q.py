@@ -3,9 +3,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.stats import chisquare
+from told import Draws, seen, step
 
 from prospect_mj.agent import LearnerSettings, LinearQ
-from prospect_mj.errors import InvalidValue
+from prospect_mj.errors import InvalidChoice, InvalidValue
 
 SMALL = LearnerSettings(
     step_size=0.1, epsilon=0.2, discount=0.9, n_actions=3, n_features=2
@@ -18,14 +19,10 @@ def small_learner(weights=((1.0, 2.0), (3.0, -1.0), (0.0, 0.5)), settings=SMALL)
     return learner
 
 
-class Draws:
-    """Stands for a generator whose numbers are known."""
-
-    def __init__(self, *numbers):
-        self.numbers = list(numbers)
-
-    def random(self):
-        return self.numbers.pop(0)
+def learn(learner, phi, action, next_phi, terminated=False, allowed=None, reward=-1.0):
+    n = learner.settings.n_actions
+    given = step(seen(phi), action, seen(next_phi), terminated, allowed, reward, n)
+    return learner.update(given, np.random.default_rng(0))
 
 
 def test_defaults_are_the_papers():
@@ -48,14 +45,14 @@ def test_initial_weights_are_drawn_with_the_deviation_asked_for():
 
 
 def test_q_values_by_hand():
-    np.testing.assert_array_equal(small_learner().q_values([2, 1]), [4, 5, 0.5])
+    np.testing.assert_array_equal(small_learner().q_values(seen([2, 1])), [4, 5, 0.5])
 
 
 def test_update_by_hand():
     learner = small_learner()
     # Q(phi, 0) = 4; max Q(phi', .) = max(2, -1, .5) = 2
     # delta = -1 + .9 x 2 - 4 = -3.2; theta_0 += .1 x -3.2 x (2, 1)
-    error = learner.update([2, 1], 0, -1.0, [0, 1], terminated=False)
+    error = learn(learner, [2, 1], 0, [0, 1])
     assert error == pytest.approx(-3.2)
     np.testing.assert_allclose(learner.weights, [[0.36, 1.68], [3, -1], [0, 0.5]])
     assert learner.n_updates == 1
@@ -64,7 +61,7 @@ def test_update_by_hand():
 def test_terminal_update_by_hand():
     learner = small_learner()
     # delta = -1 - 5 = -6; theta_1 += .1 x -6 x (2, 1)
-    error = learner.update([2, 1], 1, -1.0, [1e9, 1e9], terminated=True)
+    error = learn(learner, [2, 1], 1, [1e9, 1e9], terminated=True)
     assert error == -6
     np.testing.assert_allclose(learner.weights, [[1, 2], [1.8, -1.6], [0, 0.5]])
 
@@ -72,13 +69,13 @@ def test_terminal_update_by_hand():
 def test_update_bootstraps_from_the_next_choice_set_only():
     learner = small_learner()
     # without action 0 the largest next value is 0.5
-    error = learner.update([2, 1], 0, -1.0, [0, 1], False, allowed=[0, 1, 1])
+    error = learn(learner, [2, 1], 0, [0, 1], allowed=[0, 1, 1])
     assert error == pytest.approx(-1 + 0.9 * 0.5 - 4)
 
 
 def test_terminal_update_needs_no_choice_set():
     learner = small_learner()
-    assert learner.update([2, 1], 0, -1.0, [0, 1], True, allowed=[0, 0, 0]) == -5
+    assert learn(learner, [2, 1], 0, [0, 1], True, allowed=[0, 0, 0]) == -5
 
 
 @pytest.mark.parametrize(
@@ -94,26 +91,10 @@ def test_terminal_update_needs_no_choice_set():
 )
 def test_choice_follows_its_two_draws(draws, allowed, expected, explored):
     rng = Draws(*draws)
-    choice = small_learner().choose([2, 1], rng, allowed)
+    choice = small_learner().select(seen([2, 1]), rng, allowed)
     assert (choice.action, choice.explored) == (expected, explored)
     np.testing.assert_array_equal(choice.q_values, [4, 5, 0.5])
     assert rng.numbers == []
-
-
-def test_select_is_the_choice():
-    chosen = [
-        [
-            pick([2, 1], rng)
-            for rng in [np.random.default_rng(5)]
-            for pick in 100 * [method]
-        ]
-        for method in (
-            small_learner().select,
-            lambda *given: small_learner().choose(*given).action,
-        )
-    ]
-    assert chosen[0] == chosen[1]
-    assert len(set(chosen[0])) == 3
 
 
 @given(
@@ -126,7 +107,8 @@ def test_select_never_picks_a_masked_action(mask, seed, epsilon):
     learner = LinearQ(LearnerSettings(epsilon=epsilon, n_features=3))
     learner.weights[:] = rng.integers(0, 2, learner.weights.shape)
     for _ in range(20):
-        assert mask[learner.select(rng.random(3), rng, np.array(mask, dtype=np.int8))]
+        allowed = np.array(mask, dtype=np.int8)
+        assert mask[learner.select(seen(rng.random(3)), rng, allowed).action]
 
 
 def test_greedy_choice_is_the_best_allowed_one():
@@ -136,15 +118,15 @@ def test_greedy_choice_is_the_best_allowed_one():
     for _ in range(50):
         features, mask = rng.standard_normal(3), rng.integers(0, 2, 6)
         mask[rng.integers(6)] = 1
-        values = np.where(mask, learner.q_values(features), -np.inf)
-        assert learner.select(features, rng, mask) == values.argmax()
+        values = np.where(mask, learner.q_values(seen(features)), -np.inf)
+        assert learner.select(seen(features), rng, mask).action == values.argmax()
 
 
 def test_ties_are_broken_uniformly():
     learner = LinearQ(LearnerSettings(epsilon=0.0))
     learner.weights[[0, 2, 5], 0] = 1.0
     rng, features = np.random.default_rng(11), np.eye(303)[0]
-    chosen = [learner.select(features, rng) for _ in range(6000)]
+    chosen = [learner.select(seen(features), rng).action for _ in range(6000)]
     counts = np.bincount(chosen, minlength=6)
     assert not counts[[1, 3, 4]].any()
     assert chisquare(counts[[0, 2, 5]]).pvalue > 0.01
@@ -154,7 +136,7 @@ def test_exploration_has_its_probability():
     learner = LinearQ(LearnerSettings(epsilon=0.3))
     learner.weights[4, 0] = 1.0
     rng, features = np.random.default_rng(12), np.eye(303)[0]
-    chosen = [learner.choose(features, rng) for _ in range(6000)]
+    chosen = [learner.select(seen(features), rng) for _ in range(6000)]
     explored = np.mean([choice.explored for choice in chosen])
     assert explored == pytest.approx(0.3, abs=3 * np.sqrt(0.21 / 6000))
     counts = np.bincount([c.action for c in chosen if c.explored], minlength=6)
@@ -177,9 +159,9 @@ def test_known_mdp_converges_to_its_action_values():
     for _ in range(300):
         state = 0
         while state < 3:
-            action = learner.select(states[state], rng)
+            action = learner.select(seen(states[state]), rng).action
             reached = state + 1 if action else max(state - 1, 0)
-            learner.update(states[state], action, -1, states[reached], reached == 3)
+            learn(learner, states[state], action, states[reached], reached == 3)
             state = reached
     np.testing.assert_allclose(learner.weights, optimal, atol=1e-6)
 
@@ -192,28 +174,26 @@ def test_updates_repeat_exactly_whatever_the_memory_layout():
         spread = np.zeros(606)
         spread[1::2] = phi
         action = int(rng.integers(6))
-        first.update(phi, action, -1.0, next_phi, False)
-        second.update(spread[1::2], action, -1.0, next_phi, False)
+        learn(first, phi, action, next_phi)
+        learn(second, spread[1::2], action, next_phi)
     np.testing.assert_array_equal(first.weights, second.weights)
 
 
 def use(learner, **changes):
     arguments = {
-        "features": [1, 1],
+        "phi": [1, 1],
         "action": 0,
-        "reward": -1.0,
-        "next_features": [1, 1],
-        "terminated": False,
+        "next_phi": [1, 1],
     }
-    learner.update(**{**arguments, **changes})
+    learn(learner, **{**arguments, **changes})
 
 
 @pytest.mark.parametrize(
     ("changes", "named"),
     [
-        ({"features": [1, 1, 1]}, "(3,)"),
-        ({"features": [1, np.nan]}, "NaN"),
-        ({"next_features": [[1, 1]]}, "(1, 2)"),
+        ({"phi": [1, 1, 1]}, "(3,)"),
+        ({"phi": [1, np.nan]}, "NaN"),
+        ({"next_phi": [[1, 1]]}, "(1, 2)"),
         ({"action": 3}, "0 to 2"),
         ({"action": -1}, "0 to 2"),
         ({"action": 1.5}, "action is 1.5; expected an integer from 0 to 2"),
@@ -237,7 +217,7 @@ def test_divergence_is_reported():
 
     def diverge():
         for _ in range(2000):
-            learner.update([10.0], 0, -1.0, [10.0], True)
+            learn(learner, [10.0], 0, [10.0], True)
 
     with (
         np.errstate(over="ignore", invalid="ignore"),
@@ -273,3 +253,30 @@ def test_action_may_be_a_numpy_integer():
     learner = small_learner()
     use(learner, action=np.int64(2))
     assert learner.n_updates == 1
+
+
+def test_state_is_taken_over_and_not_shared():
+    learner, other = small_learner(), LinearQ(SMALL)
+    learn(learner, [2, 1], 0, [0, 1])
+    other.restore(learner.state())
+    np.testing.assert_array_equal(other.weights, learner.weights)
+    assert other.n_updates == 1
+    learn(other, [2, 1], 0, [0, 1])
+    assert (other.weights != learner.weights).any()
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"weights": np.zeros((3, 3))},
+        {"weights": np.full((3, 2), np.inf)},
+        {"weights": np.zeros((3, 2), np.float32)},
+        {"n_updates": np.array(-1)},
+        {"n_updates": np.array([1])},
+        {"values": np.zeros(3)},
+    ],
+)
+def test_foreign_state_is_refused(changes):
+    state = {**small_learner().state(), **changes}
+    with pytest.raises((InvalidValue, InvalidChoice)):
+        small_learner().restore(state)

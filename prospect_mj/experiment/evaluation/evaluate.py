@@ -9,7 +9,8 @@ from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
-from prospect_mj.agent import LinearQ
+from prospect_mj.agent import Learner, new_learner
+from prospect_mj.agent.failed_actions import FailedActionRule
 from prospect_mj.experiment.evaluation import places
 from prospect_mj.experiment.evaluation.evaluation_folder import (
     EvaluationFolder,
@@ -72,15 +73,15 @@ def evaluate(
     return RunView.read(path)
 
 
-def policy(learner: LinearQ) -> LinearQ:
+def policy(learner: Learner) -> Learner:
     """The same learner without exploration."""
-    greedy = LinearQ(replace(learner.settings, epsilon=0.0))
-    greedy.weights[:] = learner.weights
+    greedy = new_learner(replace(learner.settings, epsilon=0.0))
+    greedy.restore(learner.state())
     return greedy
 
 
 def trials(
-    evaluation: StoredEvaluation, env: Environment, learner: LinearQ, first: int = 0
+    evaluation: StoredEvaluation, env: Environment, learner: Learner, first: int = 0
 ) -> Iterator[FinishedTrial]:
     """Run the trials of an evaluation from a number on, each as it is asked for.
 
@@ -91,6 +92,7 @@ def trials(
         first: number of the first trial.
     """
     settings, greedy = evaluation.settings, policy(learner)
+    failed_actions = evaluation.config.failed_actions
     for trial in range(first, settings.n_trials):
         presented = Presented(
             trial,
@@ -99,7 +101,8 @@ def trials(
             # A shaping schedule stays where the training had come to.
             counted_as=evaluation.learned.trials,
         )
-        yield trial_loop.run(env, presented, greedy, settings.policy_rng(trial))
+        rule, rng = FailedActionRule(failed_actions), settings.policy_rng(trial)
+        yield trial_loop.run(env, presented, greedy, rng, rule)
 
 
 def _go_on(path: Path, make_env: MakeEnvironment, say: Say, kept: Kept | None) -> None:

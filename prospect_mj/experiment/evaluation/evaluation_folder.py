@@ -16,7 +16,7 @@ from typing import Self
 
 import pyarrow as pa
 
-from prospect_mj.agent import LinearQ
+from prospect_mj.agent import Learner
 from prospect_mj.errors import RunFolderError, is_machines_fault
 from prospect_mj.experiment.run.folder_guard import check_vacant
 from prospect_mj.experiment.run.records import action_table, trial_table
@@ -48,7 +48,7 @@ class EvaluationFolder(LockedFolder):
             self.state = state()
 
     @classmethod
-    def create(cls, path: Path, evaluation: StoredEvaluation, learner: LinearQ) -> Self:
+    def create(cls, path: Path, evaluation: StoredEvaluation, learner: Learner) -> Self:
         """Begin an evaluation in a new or empty folder.
 
         Args:
@@ -81,7 +81,9 @@ class EvaluationFolder(LockedFolder):
         return cls(
             path,
             evaluation,
-            lambda: evaluation_state.read_state(path, evaluation.origin),
+            lambda: evaluation_state.read_state(
+                path, evaluation.origin, evaluation.config.learner.name
+            ),
         )
 
     @property
@@ -104,7 +106,7 @@ class EvaluationFolder(LockedFolder):
         actions = appended(self.state.actions, action_table(finished.actions))
         trials = appended(self.trials, trial_table([finished.trial]))
         self.state = RunState(self.state.learner, actions, trials)
-        evaluation_state.write_tables(self.path, self.state)
+        evaluation_state.write_tables(self.path, self.state, self.origin)
 
 
 def is_begun(path: Path) -> bool:
@@ -125,16 +127,8 @@ def check_free(path: Path) -> None:
     check_vacant(path, "choose another folder", own.__contains__)
 
 
-def _begun(path: Path, evaluation: StoredEvaluation, learner: LinearQ) -> RunState:
+def _begun(path: Path, evaluation: StoredEvaluation, learner: Learner) -> RunState:
     """Write what there is before the first trial, if the folder can be had."""
     check_free(path)
     evaluation_file.write(path, evaluation)
-    return evaluation_state.begin(path, _marked(learner, evaluation.origin))
-
-
-def _marked(learner: LinearQ, origin: str) -> LinearQ:
-    """The same learner, in a file that belongs to the evaluation."""
-    copy = LinearQ(learner.settings, origin)
-    copy.weights[:] = learner.weights
-    copy.n_updates = learner.n_updates
-    return copy
+    return evaluation_state.begin(path, learner, evaluation.origin)

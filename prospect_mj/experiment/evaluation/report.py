@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.estimate import Estimate, share, stratified_mean
 from prospect_mj.experiment.evaluation.listing import Listed, listed
-from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.experiment.populations.strategies import Strategy
 from prospect_mj.experiment.portraits.trial_strategies import TrialStrategies
 from prospect_mj.experiment.run.learning_curve import OPTIMUM
 from prospect_mj.experiment.view.run_view import RunView

@@ -5,7 +5,7 @@ from itertools import groupby
 
 from prospect_mj.experiment.evaluation.listing import Listed
 from prospect_mj.experiment.evaluation.report import Outcome, Report
-from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.experiment.populations.strategies import Strategy
 from prospect_mj.experiment.run.learning_curve import OPTIMUM
 from prospect_mj.experiment.text_table import aligned
 from prospect_mj.task.presentation import ORIENTATIONS

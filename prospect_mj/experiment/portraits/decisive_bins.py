@@ -28,7 +28,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.actions.action import Action
-from prospect_mj.agent import LinearQ, StateFeatureGenerator
+from prospect_mj.agent import LinearQ, Observation, StateFeatureGenerator
 from prospect_mj.agent.features import N_BINS, Holding
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
 from prospect_mj.task.presentation import Orientation
@@ -100,4 +100,5 @@ def _mean_values(
         np.mean([generator.generate(one, holding) for one in rows], axis=0)
         for holding in HOLDINGS
     ]
-    return np.column_stack([learner.q_values(features) for features in means])
+    seen = map(Observation.of, means)
+    return np.column_stack([learner.q_values(one) for one in seen])

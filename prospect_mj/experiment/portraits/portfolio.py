@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from tqdm import tqdm
 
-from prospect_mj.agent import StateFeatureGenerator
+from prospect_mj.agent import LinearQ, StateFeatureGenerator
 from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.portraits.decisive_bins import MadeUpMind
 from prospect_mj.experiment.portraits.histograms import SeenHistograms
@@ -58,6 +58,9 @@ def draw(run: RunView, n_misled: int, say: Say) -> dict[str, bytes]:
         work |= _of_episodes(run)
     else:
         work[WEIGHTS] = lambda: weights_of(run, {})
+    if not isinstance(run.learner, LinearQ):
+        del work[WEIGHTS]
+        say(f"no {WEIGHTS}: {_no_weights(run)}")
     if n_misled:
         work[MISLED] = lambda: _misled(run, n_misled)
     elif GRASPS not in work:
@@ -69,9 +72,10 @@ def draw(run: RunView, n_misled: int, say: Say) -> dict[str, bytes]:
 def _check_drawable(run: RunView) -> None:
     """Refuse a run that learned nothing but to overflow."""
     q_values = np.array(run.actions["q_values"].to_pylist())
-    largest = max(np.abs(run.learner.weights).max(), np.abs(q_values).max())
+    learned = run.learner.state().values()
+    largest = max(np.abs(array).max(initial=0) for array in (q_values, *learned))
     if largest > _LARGEST:
-        grown = f"its weights or Q-values have grown to {largest:.0e}"
+        grown = f"its values have grown to {largest:.0e}"
         raise RunFolderError(f"{run.path} can't be drawn: {grown}")
 
 
@@ -100,13 +104,21 @@ def weights_of(run: RunView, kept: Mapping[Orientation, NDArray[np.int64]]) -> b
         kept: (n, 100) [pixels] per side of the lid: histograms of its kept episodes.
 
     Raises:
+        RunFolderError: if its learner has no weights of grey levels.
         RecordingError: if those lack a side, and the recording is damaged.
     """
+    if not isinstance(run.learner, LinearQ):
+        raise RunFolderError(f"{run.path} can't be drawn: {_no_weights(run)}")
     settings = run.config.features
     seen = SeenHistograms.of(kept, run.config)
     mind = MadeUpMind.of(run.learner, StateFeatureGenerator(settings), seen.counts)
     of = f"{name_of(run)}, after {run.n_trials} trials; histograms of {seen.source}"
     return weights(mind, settings.reading, of)
+
+
+def _no_weights(run: RunView) -> str:
+    name = run.learner.settings.name
+    return f"it needs a linear learner, and this is a {name} learner"
 
 
 def _misled(run: RunView, n: int) -> bytes:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from prospect_mj.experiment.paper.figures.figure_frame import SMALL
 from prospect_mj.experiment.paper.figures.strategy_figure import LOOKS
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
-from prospect_mj.experiment.paper.populations.strategies import Strategy, easy
+from prospect_mj.experiment.populations.strategies import Strategy, easy
 from prospect_mj.experiment.portraits.run_frame import name_of, run_panels, say_empty
 from prospect_mj.experiment.portraits.trial_strategies import (
     TrialStrategies,

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
 from prospect_mj.experiment.paper.measures.curves import ratio
-from prospect_mj.experiment.paper.populations.strategies import Strategy, classify
+from prospect_mj.experiment.populations.strategies import Strategy, classify
 from prospect_mj.experiment.run.learning_curve import BLOCK
 from prospect_mj.recording.hands import NUMBERS
 

@@ -6,8 +6,11 @@ from pathlib import Path
 from typing import Any, Self, get_args
 
 from prospect_mj import paths
+from prospect_mj.agent.failed_actions import FailedActions
 from prospect_mj.agent.features import N_FEATURES, FeatureSettings
-from prospect_mj.agent.settings import LearnerSettings
+from prospect_mj.agent.haptics import N_HOLDINGS
+from prospect_mj.agent.learners import settings_of
+from prospect_mj.agent.settings import AnyLearnerSettings, LearnerSettings
 from prospect_mj.checks import check_choice, check_integer, check_names
 from prospect_mj.envs.settings import Physics
 from prospect_mj.errors import InvalidValue, ProspectError
@@ -60,10 +63,13 @@ class TrainConfig:
     """A trial is cut off after this many actions."""
     bootstrap_at_truncation: bool = True
     """Whether the last action of a cut-off trial counts the value of what follows."""
+    failed_actions: FailedActions = "allowed"
+    """Whether an action that had no effect may be run again while the same hand, or
+    none, holds the jar: allowed, or suppressed for the rest of the trial."""
     features: FeatureSettings = field(default_factory=FeatureSettings)
     """The state features."""
-    learner: LearnerSettings = field(default_factory=LearnerSettings)
-    """The learner."""
+    learner: AnyLearnerSettings = field(default_factory=LearnerSettings)
+    """The learner, with the parameters that it has."""
 
     def __post_init__(self) -> None:
         """Refuse every number and choice that makes no run."""
@@ -81,10 +87,21 @@ class TrainConfig:
             raise InvalidValue(
                 "bootstrap at truncation", self.bootstrap_at_truncation, "true or false"
             )
-        sizes = self.learner
-        n_actions = len(ACTION_NAMES)
-        check_integer("number of actions", sizes.n_actions, n_actions, n_actions)
-        check_integer("number of features", sizes.n_features, N_FEATURES, N_FEATURES)
+        rules = get_args(FailedActions)
+        check_choice("failed actions", self.failed_actions, rules)
+        self._check_sizes()
+
+    def _check_sizes(self) -> None:
+        """The learner must know all actions and all that is observed."""
+        if not isinstance(self.learner, AnyLearnerSettings):
+            raise InvalidValue("learner", self.learner, "settings of a learner")
+        sizes = {
+            "n_actions": ("number of actions", len(ACTION_NAMES)),
+            "n_features": ("number of features", N_FEATURES),
+            "n_haptic": ("number of haptic states", N_HOLDINGS),
+        }
+        for name, (what, size) in sizes.items():
+            check_integer(what, getattr(self.learner, name, size), size, size)
 
     @classmethod
     def from_dict(cls, plain: Mapping[str, Any]) -> Self:
@@ -100,10 +117,10 @@ class TrainConfig:
                     **plain,
                     "shaping": tuple(plain["shaping"]),
                     "features": FeatureSettings(**plain["features"]),
-                    "learner": LearnerSettings(**plain["learner"]),
+                    "learner": settings_of(plain["learner"]),
                 }
             )
-        except TypeError as error:
+        except (TypeError, AttributeError) as error:
             raise ProspectError(f"settings of the wrong type: {error}") from error
 
     @property

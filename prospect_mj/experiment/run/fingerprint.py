@@ -18,12 +18,26 @@ from prospect_mj.recording.provenance import (
     source_digest,
 )
 
+_PACKAGE = Path(paths.__file__).parent
+
 CONFIGURATION = "configuration"
 LEARNER = "learner"
 RECORDING = "recording"
 PRESENTATIONS = "number of presentations to draw from"
-LEARNER_CODE = ("agent/features.py", "agent/linear_q.py")
-"""What decides how is learned."""
+_SHARED_CODE = (
+    "agent/choice.py",
+    "agent/experience.py",
+    "agent/failed_actions.py",
+    "agent/features.py",
+    "agent/haptics.py",
+    "agent/observation.py",
+)
+_OWN_CODE = {
+    "linear": ("agent/linear_q.py",),
+    "replay": ("agent/linear_q.py", "agent/replay_q.py"),
+    "table": ("agent/table_q.py",),
+    "discovery": ("agent/discovery/*.py",),
+}
 
 
 def digests(config: TrainConfig) -> dict[str, str]:
@@ -40,17 +54,29 @@ def digests(config: TrainConfig) -> dict[str, str]:
         MissingFile: if a model file is missing.
         RecordingError: if there is no recording where there should be one.
     """
-    found = {CONFIGURATION: of_settings(asdict(config)), LEARNER: learner_digest()}
+    learner = learner_digest(config.learner.name)
+    found = {CONFIGURATION: of_settings(asdict(config)), LEARNER: learner}
     found |= model_digests()
     if config.physics == "recorded":
         return found | _recording_digests(config)
     return found | {"sources": source_digest()}
 
 
-def learner_digest() -> str:
-    """SHA-256 of the learner's code; comments, docstrings and layout don't count."""
-    package = Path(paths.__file__).parent
-    return code_digest((n, (package / n).read_text("utf-8")) for n in LEARNER_CODE)
+def learner_code(name: str) -> tuple[str, ...]:
+    """What decides how a learner learns: files of the package, in order.
+
+    Args:
+        name: of the learner.
+    """
+    patterns = _SHARED_CODE + _OWN_CODE[name]
+    found = (path for pattern in patterns for path in sorted(_PACKAGE.glob(pattern)))
+    return tuple(path.relative_to(_PACKAGE).as_posix() for path in found)
+
+
+def learner_digest(name: str) -> str:
+    """SHA-256 of a learner's code; comments, docstrings and layout don't count."""
+    files_of_it = learner_code(name)
+    return code_digest((n, (_PACKAGE / n).read_text("utf-8")) for n in files_of_it)
 
 
 def of_settings(settings: Mapping[str, Any]) -> str:

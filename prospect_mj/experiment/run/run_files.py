@@ -11,8 +11,13 @@ import pyarrow as pa
 from pyarrow.lib import ArrowException
 
 from prospect_mj import tables
-from prospect_mj.agent import LinearQ
-from prospect_mj.errors import ForeignTable, ProspectError, RunFolderError, UnfitWeights
+from prospect_mj.agent import Learner, checkpoint
+from prospect_mj.errors import (
+    ForeignTable,
+    ProspectError,
+    RunFolderError,
+    UnfitCheckpoint,
+)
 from prospect_mj.experiment.run import config_file, soundness
 from prospect_mj.experiment.run.records import ACTION_SCHEMA, TRIAL_SCHEMA
 
@@ -29,7 +34,7 @@ _Content = TypeVar("_Content")
 class RunState(NamedTuple):
     """What a run has come to: the finished trials, and the learner after them."""
 
-    learner: LinearQ
+    learner: Learner
     actions: pa.Table
     """Under `ACTION_SCHEMA`."""
     trials: pa.Table
@@ -49,7 +54,7 @@ def checked_config(path: Path) -> Path:
     raise RunFolderError(f"{path} is not a run folder: it has no {CONFIG}{where}")
 
 
-def read_state(path: Path, origin: str) -> RunState | None:
+def read_state(path: Path, origin: str, learner: str) -> RunState | None:
     """Read what the finished trials of a run have left; another process may write.
 
     The weights are read first, as they are written last: the tables are then of the
@@ -58,6 +63,7 @@ def read_state(path: Path, origin: str) -> RunState | None:
     Args:
         path: its folder.
         origin: what marks its files.
+        learner: name of its learner.
 
     Returns:
         None if the run was killed before its state was written for the first time.
@@ -67,11 +73,11 @@ def read_state(path: Path, origin: str) -> RunState | None:
     """
     if _was_killed_at_birth(path, origin):
         return None
-    learner = read_learner(path, origin)
-    actions = read_table(path, ACTIONS, origin).slice(0, learner.n_updates)
+    learned = read_learner(path, origin, learner)
+    actions = read_table(path, ACTIONS, origin).slice(0, learned.n_updates)
     n_trials = np.unique(actions["trial"].to_numpy()).size
     trials = read_table(path, TRIALS, origin).slice(0, n_trials)
-    state = RunState(learner, actions, trials)
+    state = RunState(learned, actions, trials)
     _check_together(path, state)
     return state
 
@@ -98,16 +104,22 @@ def _check_together(path: Path, state: RunState) -> None:
         )
 
 
-def read_learner(path: Path, origin: str) -> LinearQ:
-    """Read the weights of a run.
+def read_learner(path: Path, origin: str, learner: str) -> Learner:
+    """Read the learner of a run.
+
+    Args:
+        path: the run's folder.
+        origin: what marks its files.
+        learner: name of its learner.
 
     Raises:
-        RunFolderError: if they are missing, damaged or of another run.
+        RunFolderError: if it is missing, damaged, of another run or another one.
     """
-    learner = _read(path / WEIGHTS, LinearQ.load)
-    if learner.origin != origin:
-        raise RunFolderError(f"{path / WEIGHTS} is from another run")
-    return learner
+    file = path / WEIGHTS
+    stored = _read(file, partial(checkpoint.read, wanted=learner))
+    if stored.origin != origin:
+        raise RunFolderError(f"{file} is from another run")
+    return stored.learner
 
 
 def read_table(path: Path, name: str, origin: str) -> pa.Table:
@@ -129,7 +141,7 @@ def _read(path: Path, reader: Callable[[Path], _Content]) -> _Content:
         return reader(path)
     except RunFolderError:
         raise
-    except (ForeignTable, UnfitWeights) as error:
+    except (ForeignTable, UnfitCheckpoint) as error:
         raise RunFolderError(str(error)) from error
     except (OSError, ArrowException, ProspectError) as error:
         why = "it is damaged" if os.path.exists(path) else "it is missing"

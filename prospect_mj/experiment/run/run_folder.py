@@ -4,7 +4,7 @@
     episodes            the trials that were kept for replay (`episode_keeper`)
     actions.parquet     one row per action (`records.ActionRecord`)
     trials.parquet      one row per trial (`records.TrialRecord`)
-    weights.npz         what `LinearQ.load` reads
+    weights.npz         the learner (`agent.checkpoint`)
     learning_curve.png  drawn at the end
 
 Every file is replaced as a whole. After each trial the tables come first and the
@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import NoReturn, Self
 
 from prospect_mj import tables
+from prospect_mj.agent import checkpoint
 from prospect_mj.errors import RunFolderError, is_machines_fault
 from prospect_mj.experiment.run import config_file, fingerprint, folder_guard, run_files
 from prospect_mj.experiment.run.config import TrainConfig
@@ -51,7 +52,7 @@ class RunFolder(LockedFolder):
         super().__init__(path)
         self.config = config
         self.origin = fingerprint.origin(config)
-        self.learner = new_learner(config, self.origin)
+        self.learner = new_learner(config)
         self.actions = ACTION_SCHEMA.empty_table()
         self.trials = TRIAL_SCHEMA.empty_table()
 
@@ -126,10 +127,10 @@ class RunFolder(LockedFolder):
     def _write_state(self) -> None:
         for name, table in ((ACTIONS, self.actions), (TRIALS, self.trials)):
             replace_file(self.path / name, tables.parquet(table, self.origin))
-        self.learner.save(self.path / WEIGHTS)
+        checkpoint.write(self.path / WEIGHTS, self.learner, self.origin)
 
     def _read_state(self) -> None:
-        state = run_files.read_state(self.path, self.origin)
+        state = run_files.read_state(self.path, self.origin, self.config.learner.name)
         if state is None:
             return
         self.learner, self.actions, self.trials = state

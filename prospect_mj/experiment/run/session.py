@@ -119,9 +119,12 @@ def check_same_run(path: Path, stored: TrainConfig, config: TrainConfig) -> None
         )
     if config != stored.with_trials(config.trials):
         wanted, had = _flat(asdict(config)), _flat(asdict(stored))
-        name = next(key for key in had if key != "trials" and had[key] != wanted[key])
+        # First which learner it is: others have other settings.
+        names = ("learner.name", *(name for name in had if name != "trials"))
+        name = next(key for key in names if had[key] != wanted[key])
+        told = name.removesuffix(".name")
         raise RunFolderError(
-            f"{path} is another run: its {name} is {had[name]}, not {wanted[name]}"
+            f"{path} is another run: its {told} is {had[name]}, not {wanted[name]}"
         )
 
 

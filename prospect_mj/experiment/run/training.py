@@ -10,12 +10,12 @@ from enum import IntEnum
 
 import numpy as np
 
-from prospect_mj.agent import LinearQ
-from prospect_mj.errors import InvalidValue
+from prospect_mj.agent import Learner, Transition, learners
+from prospect_mj.agent.failed_actions import FailedActionRule
 from prospect_mj.experiment.run import trial_loop
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.environment import Environment
-from prospect_mj.experiment.run.trial_loop import FinishedTrial, Presented, Transition
+from prospect_mj.experiment.run.trial_loop import FinishedTrial, Presented
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
 
@@ -25,6 +25,9 @@ class Stream(IntEnum):
     ORIENTATION = 0
     PRESENTATION = 1
     AGENT = 2
+    """The learner's choices."""
+    LEARNING = 3
+    """What the learner draws to learn."""
 
 
 def trial_seed(seed: int, trial: int, stream: Stream) -> np.random.SeedSequence:
@@ -37,11 +40,11 @@ def presentation_seed(seed: int, trial: int) -> int:
     return int(trial_seed(seed, trial, Stream.PRESENTATION).generate_state(1)[0])
 
 
-def new_learner(config: TrainConfig, origin: str = "") -> LinearQ:
+def new_learner(config: TrainConfig) -> Learner:
     """The learner of a run before its first trial."""
     # A key of its own, which no stream of a trial has.
     seed = np.random.SeedSequence(config.seed, spawn_key=(0,))
-    return LinearQ(config.learner, origin, np.random.default_rng(seed))
+    return learners.new_learner(config.learner, np.random.default_rng(seed))
 
 
 def presented_orientation(config: TrainConfig, trial: int) -> Orientation:
@@ -53,7 +56,7 @@ def presented_orientation(config: TrainConfig, trial: int) -> Orientation:
 
 
 def train(
-    config: TrainConfig, env: Environment, learner: LinearQ, first_trial: int = 0
+    config: TrainConfig, env: Environment, learner: Learner, first_trial: int = 0
 ) -> Iterator[FinishedTrial]:
     """Run the trials that are left, each as it is asked for.
 
@@ -71,10 +74,13 @@ def train(
 
 
 def run_trial(
-    config: TrainConfig, env: Environment, learner: LinearQ, trial: int
+    config: TrainConfig, env: Environment, learner: Learner, trial: int
 ) -> FinishedTrial:
     """Present the jar once and learn from every action until the trial ends."""
-    rng = np.random.default_rng(trial_seed(config.seed, trial, Stream.AGENT))
+    choosing, learning = (
+        np.random.default_rng(trial_seed(config.seed, trial, stream))
+        for stream in (Stream.AGENT, Stream.LEARNING)
+    )
     presented = Presented(
         trial,
         presented_orientation(config, trial),
@@ -84,24 +90,10 @@ def run_trial(
     )
 
     def learn(transition: Transition) -> None:
-        _learn(config, learner, transition)
+        if transition.truncated and not config.bootstrap_at_truncation:
+            # Nothing follows, so that nothing is counted.
+            transition = transition._replace(terminated=True)
+        learner.update(transition, learning)
 
-    return trial_loop.run(env, presented, learner, rng, learn)
-
-
-def _learn(config: TrainConfig, learner: LinearQ, transition: Transition) -> None:
-    cut_off = transition.truncated and not config.bootstrap_at_truncation
-    learner.update(
-        transition.features,
-        transition.choice.action,
-        transition.reward,
-        transition.next_features,
-        transition.terminated or cut_off,
-        transition.next_info["action_mask"],
-    )
-    # The error was a number; what it is multiplied by can make it none.
-    weights = learner.weights[transition.choice.action]
-    if not np.isfinite(weights).all():
-        size = float(np.abs(weights).max())
-        expected = "finite numbers (step size x |features|^2 must stay below 2)"
-        raise InvalidValue("largest of the learned weights", size, expected)
+    rule = FailedActionRule(config.failed_actions)
+    return trial_loop.run(env, presented, learner, choosing, rule, learn)

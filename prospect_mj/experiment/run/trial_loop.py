@@ -5,16 +5,20 @@ not.
 """
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import NamedTuple, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
-from prospect_mj.agent import LinearQ
-from prospect_mj.agent.linear_q import Choice
+from prospect_mj.agent import Learner, Observation, Transition
+from prospect_mj.agent.choice import Choice
+from prospect_mj.agent.failed_actions import FailedActionRule
+from prospect_mj.agent.features import Holding
 from prospect_mj.experiment.run.environment import Environment, Info
 from prospect_mj.experiment.run.records import ACTION_NAMES, ActionRecord, TrialRecord
-from prospect_mj.task.presentation import Orientation
+from prospect_mj.task.presentation import ORIENTATIONS, Orientation
+
+_HOLDINGS = get_args(Holding)
 
 
 class Presented(NamedTuple):
@@ -32,25 +36,19 @@ class Presented(NamedTuple):
     """Whether it belongs to the pretraining."""
 
 
-class Transition(NamedTuple):
-    """One action, from the state in which it was chosen to the next one."""
+class _Taken(NamedTuple):
+    """One action as the environment told of it."""
 
-    features: NDArray[np.float64]
-    """phi, (303,)."""
     info: Info
+    """Before it."""
     choice: Choice
-    next_features: NDArray[np.float64]
-    """phi', (303,)."""
+    features: NDArray[np.float64]
+    """phi', (303,), after it."""
     reward: float
     """[actions]."""
     terminated: bool
     truncated: bool
     next_info: Info
-
-    @property
-    def is_last(self) -> bool:
-        """Whether the trial has ended."""
-        return self.terminated or self.truncated
 
 
 class FinishedTrial(NamedTuple):
@@ -68,8 +66,9 @@ Learn = Callable[[Transition], None]
 def run(
     env: Environment,
     presented: Presented,
-    learner: LinearQ,
+    learner: Learner,
     rng: np.random.Generator,
+    rule: FailedActionRule,
     learn: Learn | None = None,
 ) -> FinishedTrial:
     """Present the jar once and act until the trial ends.
@@ -79,41 +78,74 @@ def run(
         presented: what it shows.
         learner: chooses.
         rng: for its choices.
+        rule: of a trial in which nothing has failed yet.
         learn: told of each transition before the next choice; None: nobody is.
     """
-    features, first_info = env.reset(
-        seed=presented.seed,
-        options={
-            "orientation": presented.orientation,
-            "trial": presented.counted_as,
-        },
-    )
-    info, actions, ended = first_info, [], False
+    side = ORIENTATIONS.index(presented.orientation)
+    told = {"orientation": presented.orientation, "trial": presented.counted_as}
+    features, first_info = env.reset(seed=presented.seed, options=told)
+    seen, info, actions, ended = Observation.of(features, side), first_info, [], False
+    allowed = rule.remaining(_holding(info), info["action_mask"])
     while not ended:
-        choice = learner.choose(features, rng, info["action_mask"])
-        transition = Transition(features, info, choice, *env.step(choice.action))
+        choice = learner.select(seen, rng, allowed)
+        taken = _Taken(info, choice, *env.step(choice.action))
+        allowed = _allowed_after(taken, rule)
+        transition = _transition(seen, taken, allowed)
         if learn is not None:
             learn(transition)
-        actions.append(_action_record(presented.trial, len(actions), transition))
-        features, info = transition.next_features, transition.next_info
+        actions.append(_action_record(presented.trial, len(actions), taken))
+        seen, info = transition.next_observation, taken.next_info
         ended = transition.is_last
     return FinishedTrial(_trial_record(presented, first_info, actions), tuple(actions))
 
 
-def _action_record(trial: int, step: int, transition: Transition) -> ActionRecord:
-    choice, outcome = transition.choice, transition.next_info
+def _holding(info: Info) -> int:
+    """0 none, 1 left, 2 right."""
+    return _HOLDINGS.index(info["holding"])
+
+
+def _allowed_after(taken: _Taken, rule: FailedActionRule) -> NDArray[np.bool_]:
+    """(6,): what may be chosen next, by supervisor and rule."""
+    before, after = _holding(taken.info), _holding(taken.next_info)
+    rule.note(before, taken.choice.action, after, bool(taken.next_info["inserted"]))
+    return rule.remaining(after, taken.next_info["action_mask"])
+
+
+def _transition(
+    seen: Observation, taken: _Taken, allowed: NDArray[np.bool_]
+) -> Transition:
+    """What the learner is told of an action.
+
+    Args:
+        seen: what was observed before it.
+        taken: the action.
+        allowed: (6,), what may be chosen next.
+    """
+    return Transition(
+        seen,
+        taken.choice.action,
+        taken.reward,
+        Observation.of(taken.features, seen.orientation),
+        taken.terminated,
+        taken.truncated,
+        allowed,
+    )
+
+
+def _action_record(trial: int, step: int, taken: _Taken) -> ActionRecord:
+    choice, outcome = taken.choice, taken.next_info
     return ActionRecord(
         trial=trial,
         step=step,
         action=choice.action,
         action_name=ACTION_NAMES[choice.action],
         explored=choice.explored,
-        holding=str(transition.info["holding"]),
+        holding=str(taken.info["holding"]),
         q_values=tuple(choice.q_values.tolist()),
         executed=bool(outcome["executed"]),
         result=str(outcome["result"]),
         next_holding=str(outcome["holding"]),
-        reward=float(transition.reward),
+        reward=float(taken.reward),
         sim_seconds=float(outcome["sim_seconds"]),
         inserted=bool(outcome["inserted"]),
     )

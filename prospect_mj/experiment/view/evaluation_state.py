@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pyarrow as pa
 
-from prospect_mj.agent import LinearQ
+from prospect_mj.agent import Learner, checkpoint
 from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.run.records import ACTION_SCHEMA, TRIAL_SCHEMA
 from prospect_mj.experiment.run.run_files import (
@@ -23,39 +23,40 @@ from prospect_mj.storage import replace_file
 from prospect_mj.tables import parquet
 
 
-def begin(folder: Path, learner: LinearQ) -> RunState:
-    """Write the state before the first trial; the learner's origin marks the files."""
-    learner.save(folder / WEIGHTS)
+def begin(folder: Path, learner: Learner, origin: str) -> RunState:
+    """Write the state before the first trial, marked with the evaluation's digest."""
+    checkpoint.write(folder / WEIGHTS, learner, origin)
     return _nothing(learner)
 
 
-def write_tables(folder: Path, state: RunState) -> None:
-    """Make finished trials permanent."""
+def write_tables(folder: Path, state: RunState, origin: str) -> None:
+    """Make finished trials permanent, marked with the evaluation's digest."""
     for name, table in ((ACTIONS, state.actions), (TRIALS, state.trials)):
-        replace_file(folder / name, parquet(table, state.learner.origin))
+        replace_file(folder / name, parquet(table, origin))
 
 
-def read_state(folder: Path, origin: str) -> RunState:
+def read_state(folder: Path, origin: str, learner: str) -> RunState:
     """Read the finished trials, which another process may add to.
 
     Args:
         folder: of the evaluation.
         origin: what marks its files.
+        learner: name of its learner.
 
     Raises:
         RunFolderError: if a file is missing, damaged or of another evaluation.
     """
-    learner = read_learner(folder, origin)
+    learned = read_learner(folder, origin, learner)
     if not (folder / TRIALS).exists():
-        return _nothing(learner)
+        return _nothing(learned)
     trials = read_table(folder, TRIALS, origin)
     n_actions = int(trials["n_actions"].to_numpy().sum())
     actions = read_table(folder, ACTIONS, origin).slice(0, n_actions)
     _check_together(folder, actions, trials)
-    return RunState(learner, actions, trials)
+    return RunState(learned, actions, trials)
 
 
-def _nothing(learner: LinearQ) -> RunState:
+def _nothing(learner: Learner) -> RunState:
     return RunState(learner, ACTION_SCHEMA.empty_table(), TRIAL_SCHEMA.empty_table())
 
 

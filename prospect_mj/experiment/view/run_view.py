@@ -13,7 +13,7 @@ from typing import Self
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from prospect_mj.agent import LinearQ
+from prospect_mj.agent import Learner
 from prospect_mj.errors import ProspectError, RunFolderError
 from prospect_mj.experiment.run import config_file, fingerprint, run_files
 from prospect_mj.experiment.run.config import TrainConfig
@@ -36,7 +36,7 @@ class RunView:
     """Settings of its trials."""
     stored: StoredConfig
     """What its folder says that it was made with."""
-    learner: LinearQ
+    learner: Learner
     """After the last finished trial."""
     actions: pa.Table
     """Under `records.ACTION_SCHEMA`."""
@@ -59,7 +59,8 @@ class RunView:
             evaluation, reader = None, run_files.read_state
             stored = config_file.read_stored(run_files.checked_config(path))
         config = _config(path, stored)
-        state = reader(path, fingerprint.origin_of(stored.sha256))
+        origin = fingerprint.origin_of(stored.sha256)
+        state = reader(path, origin, config.learner.name)
         if state is None or state.trials.num_rows == 0:
             raise RunFolderError(f"{path} has no finished trial yet")
         return cls(path, config, stored, *state, evaluation)

@@ -12,7 +12,7 @@ import numpy as np
 from prospect_mj.episodes import episode_file
 from prospect_mj.episodes.episode import Episode
 from prospect_mj.errors import EpisodeError, InvalidValue, RunFolderError
-from prospect_mj.experiment.paper.populations.strategies import Strategy, classify
+from prospect_mj.experiment.populations.strategies import Strategy, classify
 from prospect_mj.experiment.run.kept_episodes import path_of
 from prospect_mj.experiment.view.run_view import RunView
 from prospect_mj.experiment.watching.resimulate import resimulate

@@ -5,7 +5,12 @@ import pytest
 from ideal_env import counts_per_orientation
 
 from prospect_mj.actions.action import Action
-from prospect_mj.agent import FeatureSettings, LinearQ, StateFeatureGenerator
+from prospect_mj.agent import (
+    FeatureSettings,
+    LinearQ,
+    Observation,
+    StateFeatureGenerator,
+)
 from prospect_mj.agent.features import N_BINS
 from prospect_mj.experiment.portraits.decisive_bins import HOLDINGS, MadeUpMind
 from prospect_mj.experiment.run.config import TrainConfig
@@ -78,7 +83,7 @@ def test_q_values_are_means_over_the_pictures():
     mind = MadeUpMind.of(learned, generator, shown)
     for column, holding in enumerate(HOLDINGS):
         one_by_one = [
-            learned.q_values(generator.generate(counts, holding))
+            learned.q_values(Observation.of(generator.generate(counts, holding)))
             for counts in shown["right"]
         ]
         mean = np.mean(one_by_one, axis=0)

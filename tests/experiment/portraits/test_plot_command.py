@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from ideal_env import IdealEnv
 
+from prospect_mj.agent import TableSettings, checkpoint
 from prospect_mj.cli import new_file
 from prospect_mj.cli.plot import main
 from prospect_mj.episodes import episode_file
@@ -49,6 +50,16 @@ def test_pictures_go_into_the_runs_folder_and_say_what_is_missing(run, capsys):
     assert sorted(out.split()) == [str(run / "plots" / name) for name in ALWAYS]
     assert "--record every=50" in err
     assert len(err.splitlines()) == 1
+
+
+def test_weights_over_grey_levels_need_a_linear_learner(tmp_path, capsys):
+    path, config = tmp_path / "told", TrainConfig(trials=4, learner=TableSettings())
+    session.start(config, path, IdealEnv, say=lambda _: None)
+    assert main([str(path)]) == 0
+    assert names(path / "plots") == ["q_values.png", "strategies.png"]
+    said = capsys.readouterr().err.splitlines()
+    why = "it needs a linear learner, and this is a table learner"
+    assert said[0] == f"no weights.png: {why}"
 
 
 def test_a_run_that_was_drawn_goes_on(run):
@@ -145,7 +156,7 @@ def with_weights(run, factor):
     learner = RunView.read(run).learner
     learner.weights[:] = np.random.default_rng(0).normal(size=learner.weights.shape)
     learner.weights *= factor
-    learner.save(run / "weights.npz")
+    checkpoint.write(run / "weights.npz", learner, RunView.read(run).origin)
 
 
 def test_huge_numbers_are_drawn_without_a_warning(run, capsys):

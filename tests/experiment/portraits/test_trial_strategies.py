@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from prospect_mj.actions.action import Action
-from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.experiment.populations.strategies import Strategy
 from prospect_mj.experiment.portraits.trial_strategies import (
     SET,
     TrialStrategies,

@@ -13,7 +13,7 @@ from ideal_env import IdealEnv
 from ideal_grower import grown_tree
 
 from prospect_mj import paths, storage
-from prospect_mj.agent import LearnerSettings, LinearQ
+from prospect_mj.agent import LearnerSettings, checkpoint
 from prospect_mj.errors import FolderInUse, RecordingError, RunFolderError
 from prospect_mj.experiment.run import config_file, fingerprint, folder_guard, session
 from prospect_mj.experiment.run.config import TrainConfig
@@ -71,7 +71,7 @@ def test_folder_holds_what_is_promised(uninterrupted, tmp_path):
     assert trials.schema == TRIAL_SCHEMA
     assert trials["trial"].to_pylist() == list(range(4))
     assert sum(trials["n_actions"].to_pylist()) == actions.num_rows
-    learner = LinearQ.load(tmp_path / "weights.npz")
+    learner = checkpoint.read(tmp_path / "weights.npz").learner
     assert learner.n_updates == actions.num_rows
     assert learner.weights.any()
     stored = yaml.safe_load((tmp_path / "config.yaml").read_text())

@@ -156,7 +156,7 @@ def test_choice_set_of_the_state_is_kept():
     update = learner.update
 
     def spy(*arguments):
-        allowed_next.append(arguments[-1])
+        allowed_next.append(arguments[0].allowed.astype(int))
         return update(*arguments)
 
     learner.update = spy

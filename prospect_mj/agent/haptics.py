@@ -1,0 +1,50 @@
+"""Numbering of the haptic states, with and without categories of grasps.
+
+Without categories (K = 0) a state says which hand holds the jar: 0 none, 1 left,
+2 right. With K categories it says of what kind the grasp is as well:
+1 + hand K + category, where the hand is 0 (left) or 1 (right).
+
+The linear features have a bit for each hand and for each category, (h_L, h_R, c_1, ...,
+c_K), and phi = (v, v x each bit, the bits, 1) with the histogram v of 100 bins.
+"""
+
+from prospect_mj.agent.features import N_BINS
+
+NONE, LEFT, RIGHT = 0, 1, 2
+"""What holds the jar."""
+N_HOLDINGS = 3
+
+
+def n_haptic(categories: int) -> int:
+    """Number of haptic states with K = `categories`."""
+    return N_HOLDINGS if categories == 0 else 1 + 2 * categories
+
+
+def n_features(categories: int) -> int:
+    """Length of phi with K = `categories`: 100 (3 + K) + 3 + K; 303 without."""
+    return (N_BINS + 1) * (3 + categories)
+
+
+def haptic_state(holding: int, category: int, categories: int) -> int:
+    """Number of a haptic state.
+
+    Args:
+        holding: `NONE`, `LEFT` or `RIGHT`.
+        category: of the grasp, from 0; without meaning where there are none.
+        categories: K.
+    """
+    if holding == NONE or categories == 0:
+        return holding
+    return 1 + (holding - LEFT) * categories + category
+
+
+def holding_of(haptic: int, categories: int) -> int:
+    """What holds the jar in a haptic state: `NONE`, `LEFT` or `RIGHT`."""
+    if haptic == NONE or categories == 0:
+        return haptic
+    return LEFT + (haptic - 1) // categories
+
+
+def categories_of(n_states: int) -> int:
+    """K, of which there are so many haptic states: the inverse of `n_haptic`."""
+    return 0 if n_states == N_HOLDINGS else (n_states - 1) // 2
