@@ -21,6 +21,8 @@ CONFINED = {
     "matplotlib": (
         "prospect_mj/experiment/pictures/automaton_plot.py",
         "prospect_mj/experiment/pictures/field_plot.py",
+        "prospect_mj/experiment/development/haptics/figure.py",
+        "prospect_mj/experiment/development/rivals/figure.py",
         "prospect_mj/experiment/paper/figures/direct_labels.py",
         "prospect_mj/experiment/paper/figures/figure_frame.py",
         "prospect_mj/experiment/paper/figures/actions_figure.py",
@@ -40,13 +42,16 @@ CONFINED = {
         "prospect_mj/supervisor/automaton.py",
     ),
     # Compiled code on disk grows stale unseen where what it calls is in another file,
-    # but for the planner's: see `planning.kernel_cache`.
+    # but for these: see `planning.kernel_cache` and `kernels.cache`.
     "numba": (
-        "prospect_mj/experiment/paper/populations/kernel.py",
+        "prospect_mj/experiment/populations/kernels/",
         "prospect_mj/planning/",
     ),
     "ray": ("prospect_mj/recording/ray_cluster.py",),
     "rerun": ("prospect_mj/replay/",),
+    "sb3_contrib": ("prospect_mj/experiment/development/rivals/deep/",),
+    "stable_baselines3": ("prospect_mj/experiment/development/rivals/deep/",),
+    "torch": ("prospect_mj/experiment/development/rivals/deep/",),
 }
 """Library: the only places that may import it (those of a later issue: nowhere)."""
 

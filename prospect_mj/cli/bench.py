@@ -1,4 +1,4 @@
-"""The command line of the benchmark."""
+"""The command line of the benchmark: of the simulation, and of the learners."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -9,12 +9,17 @@ from tqdm import tqdm
 
 from prospect_mj.cli import command_line
 from prospect_mj.cli.output import Output
+from prospect_mj.experiment.populations.costs import measured_costs, table
 from prospect_mj.experiment.studies.bench import BenchConfig, bench
+from prospect_mj.recording.recording import Recording
 
 
 @dataclass(frozen=True)
 class BenchOptions:
-    """Measure simulated seconds per wall second, and where the wall time goes."""
+    """Measure simulated seconds per wall second, and where the wall time goes.
+
+    Then what each learner costs on recorded physics, beside the linear one.
+    """
 
     config: Annotated[BenchConfig, tyro.conf.arg(name="")] = field(
         default_factory=BenchConfig
@@ -43,4 +48,7 @@ def _measure(options: BenchOptions) -> None:
         total=config.trials, unit="trial", dynamic_ncols=True, disable=None
     ) as bar:
         found = bench(config, bar.update)
-    options.output.result(found.report(), found.figures())
+    costs = measured_costs(Recording.load())
+    learners = {"learners": [cost._asdict() for cost in costs]}
+    words = f"{found.report()}\n\n{table(costs)}"
+    options.output.result(words, found.figures() | learners)

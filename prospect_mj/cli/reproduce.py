@@ -12,10 +12,10 @@ from tqdm import tqdm
 from prospect_mj.checks import check_integer
 from prospect_mj.cli import command_line
 from prospect_mj.cli.output import Output
-from prospect_mj.experiment.paper.populations.population import MOST_JOBS
-from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
 from prospect_mj.experiment.paper.report.report import STATEMENTS
 from prospect_mj.experiment.paper.reproduce import n_steps, reproduce
+from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
+from prospect_mj.experiment.populations.population import MOST_JOBS
 from prospect_mj.recording.recording import Recording
 
 

@@ -26,7 +26,7 @@ from prospect_mj.control.straight_reach import GROSS
 from prospect_mj.control.transit import TransitSettings
 from prospect_mj.control.weighing import GRAVITY, Weighing
 from prospect_mj.envs.settings import PickPlaceSettings
-from prospect_mj.experiment.paper.populations.optimum import optimum
+from prospect_mj.experiment.populations.optimum import optimum
 from prospect_mj.experiment.run.learning_curve import NEAR_OPTIMAL
 from prospect_mj.planning.settings import PlannerSettings
 from prospect_mj.recording.recording import Recording

@@ -15,11 +15,6 @@ from prospect_mj.experiment.paper.live.live_check import LiveCheck
 from prospect_mj.experiment.paper.live.live_folders import FoundRuns, read_live
 from prospect_mj.experiment.paper.measures import statements
 from prospect_mj.experiment.paper.measures.sample import Resampling, Sample
-from prospect_mj.experiment.paper.populations.optimum import optimum
-from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
-from prospect_mj.experiment.paper.populations.scenario import PopulationSettings
-from prospect_mj.experiment.paper.populations.speed import Speed, measured_speed
-from prospect_mj.experiment.paper.populations.store import Kept, Store, recording_digest
 from prospect_mj.experiment.paper.report.report import (
     ABLATION,
     STATEMENTS,
@@ -27,7 +22,13 @@ from prospect_mj.experiment.paper.report.report import (
     Timing,
     report,
 )
-from prospect_mj.experiment.paper.report.report_folder import REPORT, ReportFolder
+from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
+from prospect_mj.experiment.populations.digests import recording_digest
+from prospect_mj.experiment.populations.optimum import optimum
+from prospect_mj.experiment.populations.scenario import PopulationSettings
+from prospect_mj.experiment.populations.speed import Speed, measured_speed
+from prospect_mj.experiment.populations.store import Kept, Store
+from prospect_mj.experiment.report_folder import REPORT, Kind, ReportFolder
 from prospect_mj.recording.hands import LEFT, RIGHT
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
@@ -35,6 +36,8 @@ from prospect_mj.recording.recording import Recording
 Tick = Callable[[], None]
 
 POPULATIONS = "populations"
+KIND = Kind("reproduction")
+"""Of the folder: figures with their numbers beside them, and the populations."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +90,7 @@ def reproduce(
     """
     shown = _presentations(recording)
     found = _live_runs(live, config, recording)
-    with ReportFolder.open(out, config, recording_digest(recording)) as folder:
+    with ReportFolder.open(out, KIND, config, recording_digest(recording)) as folder:
         store = Store(out / POPULATIONS, recording, jobs)
         results = _results(_Study(recording, config, store, tick), shown, found)
         _write_figures(folder, results)

@@ -18,12 +18,13 @@ from prospect_mj.agent.features import FeatureSettings, StateFeatureGenerator
 from prospect_mj.agent.settings import LearnerSettings
 from prospect_mj.checks import check_choice
 from prospect_mj.errors import InvalidValue
-from prospect_mj.experiment.paper.populations.compiled_learner import (
+from prospect_mj.experiment.populations.compiled_learner import (
+    rule_of,
     run_frozen,
     run_trials,
 )
-from prospect_mj.experiment.paper.populations.kernel import Trials
-from prospect_mj.experiment.paper.populations.outcome_graph import (
+from prospect_mj.experiment.populations.kernels.graph import Trials
+from prospect_mj.experiment.populations.outcome_graph import (
     HANDS,
     ideal_graph,
     ideal_root,
@@ -133,10 +134,10 @@ def _run(train: Bank, test: Bank, settings: StudySettings, number: int) -> _Run:
     seed = np.random.SeedSequence(settings.seed, spawn_key=(number,))
     rng = np.random.default_rng(seed)
     sides = rng.choice(ORIENTATIONS, settings.trials)
-    baseline, weights = _learn(train, sides, settings, rng)
+    baseline, learner = _learn(train, sides, settings, rng)
     sides[: settings.pretrain] = settings.dominant
     dominant, _ = _learn(train, sides, settings, rng)
-    held_out = _test(test, weights, settings, rng)
+    held_out = _test(test, learner, settings, rng)
     return _Run(baseline, dominant, held_out)
 
 
@@ -145,19 +146,19 @@ def _learn(
     sides: NDArray[np.str_],
     settings: StudySettings,
     rng: np.random.Generator,
-) -> tuple[NDArray[np.int8], NDArray[np.float64]]:
-    """Actions (n_trials,) of a new learner, and its weights (6, 303) at the end."""
-    weights = LinearQ(settings.learner, rng=rng).weights
+) -> tuple[NDArray[np.int8], LinearQ]:
+    """Actions (n_trials,) of a new learner, and what it has become."""
+    learner = LinearQ(settings.learner, rng=rng)
     histograms = np.stack([rng.choice(bank[side]) for side in sides])
     trials = _trials(histograms, sides, settings, rng)
-    one_hot = settings.features.reading == "one_hot"
-    learned = run_trials(weights, ideal_graph(), trials, settings.learner, one_hot)
-    return learned.n_actions, weights
+    rule = rule_of(settings.learner, settings.features.reading == "one_hot")
+    walked = run_trials(learner, ideal_graph(), trials, rule, rng)
+    return walked.outcomes.n_actions, learner
 
 
 def _test(
     bank: Bank,
-    weights: NDArray[np.float64],
+    learner: LinearQ,
     settings: StudySettings,
     rng: np.random.Generator,
 ) -> NDArray[np.int8]:
@@ -166,7 +167,7 @@ def _test(
     sides = np.repeat(ORIENTATIONS, [len(bank[side]) for side in ORIENTATIONS])
     trials = _trials(histograms, sides, settings, rng)
     one_hot = settings.features.reading == "one_hot"
-    return run_frozen(weights, ideal_graph(), trials, one_hot).n_actions
+    return run_frozen(learner, ideal_graph(), trials, one_hot).n_actions
 
 
 def _trials(
@@ -180,6 +181,7 @@ def _trials(
         root=np.array([_ROOT[side] for side in sides], np.int32),
         image=np.arange(n_trials, dtype=np.int32),
         visual=histograms,
+        orientation=np.array([ORIENTATIONS.index(side) for side in sides]),
         phase=np.zeros(n_trials, np.int32),
         draws=rng.random((n_trials, settings.max_actions, 2)),
     )

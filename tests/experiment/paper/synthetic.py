@@ -3,9 +3,9 @@
 import numpy as np
 
 from prospect_mj.experiment.paper.measures.sample import Resampling, Sample
-from prospect_mj.experiment.paper.populations.population import Population
-from prospect_mj.experiment.paper.populations.scenario import Scenario
-from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.experiment.populations.population import Population
+from prospect_mj.experiment.populations.scenario import Scenario
+from prospect_mj.experiment.populations.strategies import Strategy
 from prospect_mj.recording.hands import LEFT, RIGHT
 
 ACTIONS = np.array([2, 3, 4, 10], np.int8)
@@ -22,7 +22,8 @@ def of_strategies(strategy, lid, scenario):
     lid = np.broadcast_to(np.asarray(lid, np.int8), strategy.shape)
     corrected = (strategy == Strategy.EARLY) | (strategy == Strategy.LATE)
     hand = np.where(corrected, LEFT + RIGHT - lid, lid).astype(np.int8)
-    return Population(scenario, lid, ACTIONS[strategy], solved, strategy, hand)
+    n_actions, splits = ACTIONS[strategy], np.full((len(lid), 3, 6), -1, np.int16)
+    return Population(scenario, lid, n_actions, solved, strategy, hand, splits)
 
 
 def improving(runs, scenario, seed, speed=1.0):

@@ -13,10 +13,10 @@ from prospect_mj.experiment.paper.measures.curves import Curves, OfKind
 from prospect_mj.experiment.paper.measures.sample import Pair
 from prospect_mj.experiment.paper.measures.statements import STATEMENTS, Judgement
 from prospect_mj.experiment.paper.measures.target import Verdict
-from prospect_mj.experiment.paper.populations.programme import Programme
-from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
-from prospect_mj.experiment.paper.populations.scenario import PopulationSettings
 from prospect_mj.experiment.paper.report import report_ablation
+from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
+from prospect_mj.experiment.populations.programme import Programme
+from prospect_mj.experiment.populations.scenario import PopulationSettings
 
 DEFAULT = PopulationSettings()
 MEASURED = [(said, measure) for said in STATEMENTS for measure in said.measures]

@@ -9,8 +9,8 @@ from prospect_mj.experiment.paper.measures import easy_trials, learning
 from prospect_mj.experiment.paper.measures.bootstrap import band, interval, times_drawn
 from prospect_mj.experiment.paper.measures.curves import KindCounts, RunCounts
 from prospect_mj.experiment.paper.measures.sample import Pair
-from prospect_mj.experiment.paper.populations.scenario import Scenario
-from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.experiment.populations.scenario import Scenario
+from prospect_mj.experiment.populations.strategies import Strategy
 from prospect_mj.recording.hands import RIGHT
 
 OPTIMAL, EARLY, LATE, OTHER = Strategy

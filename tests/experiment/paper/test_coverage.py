@@ -9,8 +9,8 @@ from prospect_mj.experiment.paper.measures.bootstrap import interval, times_draw
 from prospect_mj.experiment.paper.measures.curves import RunCounts
 from prospect_mj.experiment.paper.measures.sample import Pair
 from prospect_mj.experiment.paper.measures.statements import MEASURES
-from prospect_mj.experiment.paper.populations.population import run_population
-from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
+from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
+from prospect_mj.experiment.populations.population import run_population
 from prospect_mj.recording.recording import Recording
 
 RUNS, STUDIES, RESAMPLES = 1000, 100, 500

@@ -11,8 +11,8 @@ from prospect_mj.experiment.paper.measures.curves import (
     mean_of_sets,
     moving_means,
 )
-from prospect_mj.experiment.paper.populations.scenario import Scenario
-from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.experiment.populations.scenario import Scenario
+from prospect_mj.experiment.populations.strategies import Strategy
 from prospect_mj.recording.hands import LEFT, NONE, RIGHT
 
 OPTIMAL, EARLY, LATE, OTHER = Strategy

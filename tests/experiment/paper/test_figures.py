@@ -23,9 +23,9 @@ from prospect_mj.experiment.paper.figures.figure_tables import (
 )
 from prospect_mj.experiment.paper.figures.strategy_figure import LOOKS
 from prospect_mj.experiment.paper.live.live_check import SCHEMA as LIVE_SCHEMA
-from prospect_mj.experiment.paper.populations.optimum import BySide, Optimum
-from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
-from prospect_mj.experiment.paper.populations.scenario import Scenario
+from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
+from prospect_mj.experiment.populations.optimum import BySide, Optimum
+from prospect_mj.experiment.populations.scenario import Scenario
 
 HEADING = Heading("Title", "mean of many")
 SWITCHED = Heading("Title", "mean of many", 400)

@@ -6,9 +6,9 @@ from synthetic import of_strategies, pair, sampled
 from prospect_mj.experiment.paper.measures import infants
 from prospect_mj.experiment.paper.measures.stages import stages
 from prospect_mj.experiment.paper.measures.target import Verdict
-from prospect_mj.experiment.paper.populations.scenario import Scenario
-from prospect_mj.experiment.paper.populations.strategies import Strategy
 from prospect_mj.experiment.paper.report import report_infants
+from prospect_mj.experiment.populations.scenario import Scenario
+from prospect_mj.experiment.populations.strategies import Strategy
 from prospect_mj.recording.hands import LEFT, RIGHT
 
 GRIPS, PREFERENCE, EASY, DOMINANCE, LATE_FIRST = range(5)

@@ -1,5 +1,7 @@
 """The band of recorded runs, and live ones on it."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from synthetic import improving, pair
@@ -8,8 +10,8 @@ from prospect_mj.experiment.paper.figures import actions_figure
 from prospect_mj.experiment.paper.figures.figure_frame import Heading
 from prospect_mj.experiment.paper.live import live_check
 from prospect_mj.experiment.paper.live.live_folders import FoundRuns
-from prospect_mj.experiment.paper.populations.scenario import Scenario
 from prospect_mj.experiment.paper.report.report_live import section
+from prospect_mj.experiment.populations.scenario import Scenario
 
 
 def seeded():
@@ -81,9 +83,7 @@ def test_where_live_runs_can_be_no_other_than_recorded_ones_they_agree():
     """Means of tenths, such as 2.1, are the same number however they are added up."""
     recorded = pair(runs=30)[0]
     always = np.tile(recorded.n_actions[:1], (30, 1))
-    alike = type(recorded)(
-        recorded.scenario, recorded.lid, always, *[recorded.solved] * 3
-    )
+    alike = replace(recorded, n_actions=always)
     live = always[:20].astype(np.int64)
     check = live_check.check(FoundRuns(live, 0), alike, seeded())
     assert check.agrees is True

@@ -11,7 +11,7 @@ from live_by_hand import live_run
 from prospect_mj.agent import LearnerSettings
 from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.paper.live.live_folders import read_live
-from prospect_mj.experiment.paper.populations.scenario import PopulationSettings
+from prospect_mj.experiment.populations.scenario import PopulationSettings
 from prospect_mj.experiment.run import config_file, fingerprint, session
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.run_folder import RunFolder
@@ -118,7 +118,7 @@ def test_runs_of_other_versions_than_the_recordings_are_refused(runs, package):
 
 def test_runs_of_another_learner_are_refused(tmp_path):
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(fingerprint, "learner_digest", lambda: "another learner")
+        patch.setattr(fingerprint, "learner_digest", lambda name: "another learner")
         live_run(tmp_path / "run", [10, 4, 2])
     with pytest.raises(RunFolderError, match="the learner's code changed since"):
         read(tmp_path)

@@ -15,14 +15,14 @@ from prospect_mj.experiment.paper.ablation import choices
 from prospect_mj.experiment.paper.figures import pictures
 from prospect_mj.experiment.paper.measures.statements import STATEMENTS
 from prospect_mj.experiment.paper.measures.target import Verdict
-from prospect_mj.experiment.paper.populations import store
-from prospect_mj.experiment.paper.populations.population import run_population
-from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
-from prospect_mj.experiment.paper.populations.scenario import (
+from prospect_mj.experiment.paper.reproduce import n_steps, reproduce
+from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
+from prospect_mj.experiment.populations import digests, store
+from prospect_mj.experiment.populations.population import run_population
+from prospect_mj.experiment.populations.scenario import (
     PopulationSettings,
     Scenario,
 )
-from prospect_mj.experiment.paper.reproduce import n_steps, reproduce
 from prospect_mj.locking import LockedFolder
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
@@ -45,7 +45,7 @@ def few_variants():
     with pytest.MonkeyPatch.context() as patch:
         both = [v for v in choices.variants() if v.factor == "bootstrapping at the cap"]
         patch.setattr(choices, "variants", lambda: both)
-        patch.setattr(store, "source_digest", lambda: "sources")
+        patch.setattr(digests, "source_digest", lambda: "sources")
         patch.setattr(RecordingKey, "differences", lambda *keys: ["physics changed"])
         yield
 

@@ -3,8 +3,8 @@ import pytest
 from synthetic import of_strategies, pair, sampled
 
 from prospect_mj.experiment.paper.measures import stages
-from prospect_mj.experiment.paper.populations.scenario import Scenario
-from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.experiment.populations.scenario import Scenario
+from prospect_mj.experiment.populations.strategies import Strategy
 from prospect_mj.recording.hands import LEFT, RIGHT
 
 

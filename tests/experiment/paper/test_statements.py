@@ -20,9 +20,9 @@ from prospect_mj.experiment.paper.measures.statements import (
     Judgement,
 )
 from prospect_mj.experiment.paper.measures.target import Target, Verdict, about, agreed
-from prospect_mj.experiment.paper.populations.scenario import Scenario
-from prospect_mj.experiment.paper.populations.strategies import Strategy
 from prospect_mj.experiment.paper.report import report_statements
+from prospect_mj.experiment.populations.scenario import Scenario
+from prospect_mj.experiment.populations.strategies import Strategy
 from prospect_mj.recording.hands import LEFT, RIGHT
 
 INF, NAN = np.inf, np.nan

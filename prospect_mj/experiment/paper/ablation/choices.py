@@ -28,7 +28,7 @@ from prospect_mj.experiment.paper.measures.measure import Measure
 from prospect_mj.experiment.paper.measures.sample import Pair, Sample
 from prospect_mj.experiment.paper.measures.statements import FITTED, Judgement, judge
 from prospect_mj.experiment.paper.measures.target import Target
-from prospect_mj.experiment.paper.populations.scenario import PopulationSettings
+from prospect_mj.experiment.populations.scenario import PopulationSettings
 
 _TENTH = 0.1
 

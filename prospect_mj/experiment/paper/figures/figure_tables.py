@@ -5,7 +5,7 @@ import pyarrow as pa
 
 from prospect_mj.experiment.paper.measures.bootstrap import Floats, band
 from prospect_mj.experiment.paper.measures.curves import Curves
-from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.experiment.populations.strategies import Strategy
 from prospect_mj.experiment.run.learning_curve import BLOCK
 
 CORRECTION = "correction"

@@ -20,9 +20,9 @@ from prospect_mj.experiment.paper.figures.figure_tables import (
 from prospect_mj.experiment.paper.live.live_check import LiveCheck
 from prospect_mj.experiment.paper.measures.bootstrap import LEVEL, Floats
 from prospect_mj.experiment.paper.measures.sample import Sample
-from prospect_mj.experiment.paper.populations.optimum import BySide, Optimum
-from prospect_mj.experiment.paper.populations.reproduce_config import ReproduceConfig
-from prospect_mj.experiment.paper.populations.scenario import Scenario
+from prospect_mj.experiment.paper.reproduce_config import ReproduceConfig
+from prospect_mj.experiment.populations.optimum import BySide, Optimum
+from prospect_mj.experiment.populations.scenario import Scenario
 
 
 class Picture(NamedTuple):

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from prospect_mj.experiment.paper.live.live_folders import FoundRuns
 from prospect_mj.experiment.paper.measures.bootstrap import LEVEL, RESAMPLES, Floats
 from prospect_mj.experiment.paper.measures.curves import in_sets
-from prospect_mj.experiment.paper.populations.population import Population
+from prospect_mj.experiment.populations.population import Population
 from prospect_mj.experiment.run.learning_curve import BLOCK
 
 SCHEMA = pa.schema(

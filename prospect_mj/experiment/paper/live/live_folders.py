@@ -17,7 +17,7 @@ from pyarrow.lib import ArrowException
 
 from prospect_mj import tables
 from prospect_mj.errors import ForeignTable, RunFolderError
-from prospect_mj.experiment.paper.populations.scenario import PopulationSettings
+from prospect_mj.experiment.populations.scenario import PopulationSettings
 from prospect_mj.experiment.run import config_file, fingerprint
 from prospect_mj.experiment.run.config_file import StoredConfig
 from prospect_mj.experiment.run.records import TRIAL_SCHEMA
@@ -108,7 +108,7 @@ def _check_same(
                 f"{refused} {name} changed between the recording and it"
             )
     # Older runs did not note it.
-    learner = fingerprint.learner_digest()
+    learner = fingerprint.learner_digest("linear")
     if stored.sha256.get(fingerprint.LEARNER, learner) != learner:
         raise RunFolderError(f"{refused} the learner's code changed since")
     for package, recorded in physics.versions.items():

@@ -18,7 +18,7 @@ from prospect_mj.experiment.paper.measures.curves import (
 from prospect_mj.experiment.paper.measures.measure import Measure, measure
 from prospect_mj.experiment.paper.measures.quantity import Kind
 from prospect_mj.experiment.paper.measures.sample import Pair
-from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.experiment.populations.strategies import Strategy
 from prospect_mj.experiment.run.learning_curve import BLOCK, settled
 
 GONE = (0.02, 0.01, 0.005)

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
-from prospect_mj.experiment.paper.populations.population import Population
-from prospect_mj.experiment.paper.populations.strategies import (
+from prospect_mj.experiment.populations.population import Population
+from prospect_mj.experiment.populations.strategies import (
     Grip,
     Strategy,
     easy,

@@ -13,7 +13,7 @@ from prospect_mj.experiment.paper.measures.curves import (
 from prospect_mj.experiment.paper.measures.measure import measure
 from prospect_mj.experiment.paper.measures.quantity import Kind
 from prospect_mj.experiment.paper.measures.sample import Pair
-from prospect_mj.experiment.paper.populations.strategies import Strategy
+from prospect_mj.experiment.populations.strategies import Strategy
 
 
 @measure(

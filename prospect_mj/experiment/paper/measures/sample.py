@@ -6,7 +6,7 @@ import numpy as np
 
 from prospect_mj.experiment.paper.measures.bootstrap import Floats, times_drawn
 from prospect_mj.experiment.paper.measures.curves import Curves, RunCounts
-from prospect_mj.experiment.paper.populations.population import Population
+from prospect_mj.experiment.populations.population import Population
 from prospect_mj.experiment.run.learning_curve import BLOCK
 
 

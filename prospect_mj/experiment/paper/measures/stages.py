@@ -13,7 +13,7 @@ from prospect_mj.experiment.paper.measures.curves import (
     ratio,
 )
 from prospect_mj.experiment.paper.measures.sample import Sample
-from prospect_mj.experiment.paper.populations.strategies import Grip, Strategy
+from prospect_mj.experiment.populations.strategies import Grip, Strategy
 from prospect_mj.experiment.run.learning_curve import BLOCK
 
 

@@ -9,18 +9,18 @@ from prospect_mj.experiment.paper.live.live_check import LiveCheck
 from prospect_mj.experiment.paper.measures.bootstrap import LEVEL, RESAMPLES
 from prospect_mj.experiment.paper.measures.sample import Sample
 from prospect_mj.experiment.paper.measures.statements import Judgement
-from prospect_mj.experiment.paper.populations.optimum import Optimum
-from prospect_mj.experiment.paper.populations.reproduce_config import (
-    PRETRAIN,
-    ReproduceConfig,
-)
-from prospect_mj.experiment.paper.populations.speed import Speed
 from prospect_mj.experiment.paper.report import (
     report_ablation,
     report_infants,
     report_live,
     report_statements,
 )
+from prospect_mj.experiment.paper.reproduce_config import (
+    PRETRAIN,
+    ReproduceConfig,
+)
+from prospect_mj.experiment.populations.optimum import Optimum
+from prospect_mj.experiment.populations.speed import Speed
 from prospect_mj.recording.key import RecordingKey
 
 ABLATION, STATEMENTS = "ablation", "statements"

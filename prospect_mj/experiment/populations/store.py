@@ -1,0 +1,166 @@
+"""Populations that are kept on disk, so that a study goes on where it was stopped.
+
+A file is known by the digest of all that decides its numbers: scenario, settings, the
+recording's outcomes, the code of the learner and of what is below it, and the versions
+of the packages that compute them. All of it stands in the metadata of the file's
+schema, as JSON, next to what the learners did in every trial.
+"""
+
+import json
+import time
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import numpy as np
+import pyarrow as pa
+from pyarrow.lib import ArrowException
+
+from prospect_mj import tables
+from prospect_mj.errors import ForeignTable, RunFolderError
+from prospect_mj.experiment.populations.digests import code, world_digest
+from prospect_mj.experiment.populations.population import Population, run_population
+from prospect_mj.experiment.populations.scenario import PopulationSettings, Scenario
+from prospect_mj.experiment.populations.world import World
+from prospect_mj.experiment.run.records import ACTION_NAMES
+from prospect_mj.recording.provenance import installed_versions, sha256
+from prospect_mj.recording.recording import Recording
+from prospect_mj.storage import make_folder, replace_file
+
+PACKAGES = ("numpy", "numba")
+_KEPT = ("lid", "n_actions", "solved", "strategy", "first_hand")
+_SCHEMA = pa.schema(
+    {
+        "run": pa.int32(),
+        "trial": pa.int32(),
+        "lid": pa.int8(),
+        "n_actions": pa.int8(),
+        "solved": pa.bool_(),
+        "strategy": pa.int8(),
+        "first_hand": pa.int8(),
+        "splits": pa.list_(pa.int16()),
+        "seconds": pa.float32(),
+        "jobs": pa.int16(),
+    }
+)
+"""A trial of a run, as `Population` has it, with the splits of a run in its first
+trial, haptic state by haptic state, and null in the others. The wall time in which all
+runs learned [s] and the threads that they had are the same in every row."""
+
+
+@dataclass(frozen=True)
+class Kept:
+    """A population, and how long it took."""
+
+    population: Population
+    seconds: float
+    """Wall time when it was computed [s]."""
+    jobs: int
+    """Threads that it had then."""
+    earlier: bool = False
+    """Whether that was in an earlier command."""
+
+
+class Store:
+    """A folder of populations that begin in one world.
+
+    Args:
+        folder: where they are kept; made if it isn't there.
+        recording: what they learn from.
+        jobs: threads.
+    """
+
+    def __init__(self, folder: Path, recording: Recording | World, jobs: int) -> None:
+        """Open the folder.
+
+        Raises:
+            RunFolderError: if there is a file, or it can't be made.
+        """
+        make_folder(folder, RunFolderError)
+        self._folder, self._world, self._jobs = folder, World.of(recording), jobs
+        self._used: set[Path] = set()
+        self._base = {
+            "recording": world_digest(self._world),
+            "versions": installed_versions(PACKAGES),
+        }
+
+    def get(
+        self,
+        scenario: Scenario,
+        settings: PopulationSettings,
+        then: Recording | World | None = None,
+        tick: Callable[[], object] = lambda: None,
+    ) -> Kept:
+        """Read a population, or let it learn and keep it.
+
+        Args:
+            scenario: what the trials present.
+            settings: of the population.
+            then: the world of the scenario's last trials, if it has such.
+            tick: called when a learner has ended.
+
+        Raises:
+            RunFolderError: if its file is damaged; it is left as it is.
+        """
+        decides = {
+            "scenario": asdict(scenario),
+            "settings": asdict(settings),
+            "then": None if then is None else world_digest(World.of(then)),
+            "code": code(settings.learner.name),
+            **self._base,
+        }
+        digest = sha256(json.dumps(decides, sort_keys=True).encode())
+        kind = "dominant" if scenario.pretrain else "baseline"
+        path = self._folder / f"{kind}-{digest[:16]}.parquet"
+        self._used.add(path)
+        if path.exists():
+            return _kept(_read(path, digest), scenario)
+        began, given = time.perf_counter(), (self._world, scenario, settings)
+        learned = run_population(*given, self._jobs, then, tick)
+        kept = Kept(learned, time.perf_counter() - began, self._jobs)
+        notes = {name: json.dumps(value) for name, value in decides.items()}
+        replace_file(path, tables.parquet(_rows(kept), digest, "zstd", notes))
+        return kept
+
+    def unused(self) -> list[Path]:
+        """Files that were not asked for, such as those of older code."""
+        return sorted({*self._folder.glob("*.parquet")} - self._used)
+
+
+def _rows(kept: Kept) -> pa.Table:
+    """A population as a table."""
+    learned = kept.population
+    shape = learned.lid.shape
+    run, trial = np.indices(shape, np.int32)
+    columns = {
+        "run": run,
+        "trial": trial,
+        **{name: getattr(learned, name) for name in _KEPT},
+        "seconds": np.full(shape, kept.seconds, np.float32),
+        "jobs": np.full(shape, kept.jobs, np.int16),
+    }
+    rows = {name: values.ravel() for name, values in columns.items()}
+    splits = iter(learned.splits.reshape(len(learned.splits), -1).tolist())
+    rows["splits"] = [None if n else next(splits) for n in rows["trial"].tolist()]
+    return pa.table({name: rows[name] for name in _SCHEMA.names}, schema=_SCHEMA)
+
+
+def _read(path: Path, digest: str) -> pa.Table:
+    try:
+        return tables.read(path, _SCHEMA, digest, of="study")
+    except ForeignTable as error:
+        raise RunFolderError(str(error)) from error
+    except (OSError, ValueError, ArrowException) as error:
+        raise RunFolderError(
+            f"{path} can't be read: it is damaged; move it away and run again"
+        ) from error
+
+
+def _kept(rows: pa.Table, scenario: Scenario) -> Kept:
+    """The population of a table."""
+    shape = (-1, scenario.all_trials)
+    columns = [rows[name].to_numpy().reshape(shape) for name in _KEPT]
+    of_runs = rows["splits"].drop_null().to_pylist()
+    splits = np.array(of_runs, np.int16).reshape(len(of_runs), -1, len(ACTION_NAMES))
+    seconds, jobs = rows["seconds"][0].as_py(), rows["jobs"][0].as_py()
+    return Kept(Population(scenario, *columns, splits), seconds, jobs, earlier=True)

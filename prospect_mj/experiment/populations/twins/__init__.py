@@ -1,0 +1,1 @@
+"""Between the readable learners and their compiled twins: state to arrays and back."""

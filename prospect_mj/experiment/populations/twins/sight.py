@@ -1,0 +1,55 @@
+"""What linear kernels know of the features, whatever picture is shown."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from prospect_mj.agent import haptics
+from prospect_mj.agent.features import N_BINS, N_FEATURES
+from prospect_mj.errors import InvalidValue
+from prospect_mj.experiment.populations.kernels.sums import Order, order_of, spans_of
+
+
+class Sight(NamedTuple):
+    """Haptic bits and zeros of features, in h haptic states of K categories."""
+
+    bits: NDArray[np.bool_]
+    """(h, 2 + K): which haptic bits a state has."""
+    order: Order
+    """In which products with features are added up."""
+    spans: NDArray[np.int64]
+    """(h, parts, 2): where features can be other than zero."""
+
+
+def sight(n_features: int) -> Sight:
+    """What there is to know of features of a length, in either of their readings.
+
+    Raises:
+        InvalidValue: if no number of categories makes features of this length.
+    """
+    categories, left_over = divmod(n_features - N_FEATURES, N_BINS + 1)
+    if categories < 0 or left_over:
+        expected = f"{N_FEATURES}, and {N_BINS + 1} more for each haptic category"
+        raise InvalidValue("number of features", n_features, expected)
+    bits = haptic_bits(categories)
+    order = order_of(n_features)
+    features = [_with_a_picture(row) for row in bits]
+    return Sight(bits, order, spans_of(np.stack(features), order))
+
+
+def haptic_bits(categories: int) -> NDArray[np.bool_]:
+    """(h, 2 + K): the bits of every haptic state, those of the hands first."""
+    n_states = haptics.n_haptic(categories)
+    bits = np.zeros((n_states, 2 + categories), np.bool_)
+    for state in range(1, n_states):
+        bits[state, haptics.holding_of(state, categories) - haptics.LEFT] = True
+        if categories:
+            bits[state, 2 + (state - 1) % categories] = True
+    return bits
+
+
+def _with_a_picture(bits: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """(n,): which features are other than zero where no bin of the histogram is."""
+    blocks = np.repeat([True, *bits], N_BINS)
+    return np.concatenate([blocks, bits, [True]])
