@@ -1,0 +1,1 @@
+"""Which learners develop as infants do: the study, and what it measures."""

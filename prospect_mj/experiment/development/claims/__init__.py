@@ -1,0 +1,1 @@
+"""What is claimed of development, asked alike of every learner under every rule."""

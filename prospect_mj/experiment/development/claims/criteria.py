@@ -1,0 +1,123 @@
+"""What it takes to develop as infants do, and as the paper's agent does.
+
+The bounds of infants' order are those that the study was set before it was made; each
+criterion is asked of every learner under every rule, controls among them.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import inf
+
+from prospect_mj.experiment.development.claims.findings import Findings
+from prospect_mj.experiment.paper.measures.quantity import Kind, number, with_interval
+from prospect_mj.experiment.paper.measures.target import Target, Verdict
+
+CONFIDENT = 0.95
+"""Share of the resamples that an order takes."""
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A criterion, held against one population."""
+
+    verdict: Verdict
+    words: str
+    """What was measured."""
+
+
+@dataclass(frozen=True)
+class Criterion:
+    """What is asked of a population."""
+
+    name: str
+    """In tables."""
+    words: str
+    """What is asked, in words."""
+    judge: Callable[[Findings], Judged]
+
+
+def _measured(name: str, kind: Kind, target: Target) -> Callable[[Findings], Judged]:
+    """A measure that must be in a range, with all of its interval."""
+
+    def judge(findings: Findings) -> Judged:
+        found = findings.measured[name]
+        return Judged(target.verdict(found), with_interval(found, kind))
+
+    return judge
+
+
+def _ordered(findings: Findings) -> Judged:
+    late, early = (
+        number(findings.measured[name].estimate, Kind.TRIAL)
+        for name in ("late_gone", "early_gone")
+    )
+    words = f"late {late}, early {early}; {_percent(findings.order)} of the resamples"
+    return Judged(by_share(findings.order), words)
+
+
+def _unordered(findings: Findings) -> Judged:
+    judged = _ordered(findings)
+    return Judged(by_share(1.0 - findings.order), judged.words)
+
+
+def by_share(share: float) -> Verdict:
+    """The verdict on what is so in a share of the resamples [1]."""
+    if share >= CONFIDENT:
+        return Verdict.HOLDS
+    return Verdict.FAILS if share <= 1.0 - CONFIDENT else Verdict.OPEN
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.1f} %"
+
+
+LIKE_INFANTS = (
+    Criterion(
+        "late gone first",
+        "late corrections are gone before early ones in 95 % of the resamples",
+        _ordered,
+    ),
+    Criterion(
+        "corrections dominate",
+        "corrections exceed the optimal strategy for fifty trials on end",
+        _measured("dominance", Kind.TRIAL, Target(50, inf)),
+    ),
+    Criterion(
+        "early corrections lead",
+        "for ten trials on end they do so with more early than late ones",
+        _measured("early_lead", Kind.TRIAL, Target(10, inf)),
+    ),
+    Criterion(
+        "optimal in the end",
+        "the optimal strategy is over a half of the difficult ones of the last hundred "
+        "trials",
+        _measured("optimal_last", Kind.SHARE, Target(0.5, 1.0)),
+    ),
+    Criterion(
+        "easy trials spared",
+        "no block has less than 75 % optimal ones among its easy trials",
+        _measured("easy_worst", Kind.SHARE, Target(0.75, 1.0)),
+    ),
+)
+"""Late, then early, then optimal, with the dominant hand kept where it is right."""
+
+UNLIKE_INFANTS = (
+    Criterion(
+        "corrections do not dominate",
+        "corrections never exceed the optimal strategy for fifty trials on end",
+        _measured("dominance", Kind.TRIAL, Target(0, 49)),
+    ),
+    Criterion(
+        "late not gone first",
+        "late corrections are not gone before early ones in 95 % of the resamples",
+        _unordered,
+    ),
+)
+"""The mismatches that the paper admits of its own agent (section 3.2)."""
+
+
+def all_of(verdicts: list[Verdict]) -> Verdict:
+    """Whether everything holds, or something does not."""
+    if Verdict.FAILS in verdicts:
+        return Verdict.FAILS
+    return Verdict.HOLDS if set(verdicts) == {Verdict.HOLDS} else Verdict.OPEN

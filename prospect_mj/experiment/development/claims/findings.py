@@ -1,0 +1,99 @@
+"""All that is measured on one population, as claims ask for it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from prospect_mj.experiment.development.measures.ages import Found, ages, in_order
+from prospect_mj.experiment.development.measures.development import Development
+from prospect_mj.experiment.development.measures.measures import MEASURES, order
+from prospect_mj.experiment.development.measures.sequences import (
+    SequenceShare,
+    late_before_early,
+    overlap,
+    sequences,
+)
+from prospect_mj.experiment.estimate import Estimate, share
+from prospect_mj.experiment.paper.measures.bootstrap import (
+    RESAMPLES,
+    Interval,
+    interval,
+)
+from prospect_mj.experiment.populations.population import Population
+
+ABRUPT = 10
+"""Difficult trials in which an abrupt change is done: a window of a sequence."""
+
+
+@dataclass(frozen=True)
+class Changes:
+    """How abruptly late corrections give way to early ones [difficult trials].
+
+    See `measures.sequences.overlap`.
+    """
+
+    of_runs: Interval
+    """The median over the runs that have both."""
+    of_all: float
+    """In all runs together."""
+    abrupt: Estimate
+    """Share of the runs with both in which they overlap in less than `ABRUPT` [1]."""
+
+
+@dataclass(frozen=True)
+class Findings:
+    """What one population came to."""
+
+    development: Development
+    """Its curves."""
+    measured: Mapping[str, Interval]
+    """Each of `MEASURES`, by name."""
+    order: float
+    """Share of the resamples in which late corrections are gone before early ones."""
+    sequences: tuple[SequenceShare, ...]
+    """Strategies that prevail in single runs, the most frequent sequence first."""
+    late_first: Estimate
+    """Share of the runs whose median late correction is before the median early one."""
+    changes: Changes
+    """From late to early corrections, run by run."""
+    ages: tuple[Found, ...]
+    """Where the patterns of infants are found."""
+    ages_in_order: float
+    """Share of the resamples in which they all are, one after the other [1]."""
+
+    @classmethod
+    def of(
+        cls, population: Population, rng: np.random.Generator, n: int = RESAMPLES
+    ) -> Self:
+        """Measure a population.
+
+        Args:
+            population: with a dominant hand.
+            rng: draws the resamples.
+            n: their number.
+        """
+        development = Development.of(population, rng, n)
+        return cls(
+            development,
+            {one.name: one.estimate(development) for one in MEASURES},
+            order(development),
+            tuple(sequences(population)),
+            late_before_early(population),
+            _changes(population, rng, n),
+            tuple(ages(development)),
+            in_order(development),
+        )
+
+
+def _changes(population: Population, rng: np.random.Generator, n: int) -> Changes:
+    found = overlap(population)
+    widths = found.of_runs
+    if not len(widths):
+        nothing = Estimate(np.nan, np.nan, np.nan)
+        return Changes(Interval(*[np.nan] * 3, 1.0), np.nan, nothing)
+    drawn = rng.integers(len(widths), size=(n, len(widths)))
+    median = interval(float(np.median(widths)), np.median(widths[drawn], axis=1))
+    abrupt = share(int((widths < ABRUPT).sum()), len(widths))
+    return Changes(median, found.of_all, abrupt)

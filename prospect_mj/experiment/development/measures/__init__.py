@@ -1,0 +1,1 @@
+"""What is measured on a population with a dominant hand, after its pretraining."""

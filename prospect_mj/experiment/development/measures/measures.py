@@ -1,0 +1,154 @@
+"""The measures of development, each defined once; `MEASURES` has them all.
+
+All of them are of the trials after the pretraining, in blocks of ten. Difficult trials
+are those in which the lid lies away from the dominant hand, the others are easy.
+Corrections are late and early ones.
+"""
+
+import numpy as np
+
+from prospect_mj.experiment.development.measures import stretches
+from prospect_mj.experiment.development.measures.development import (
+    Development,
+    corrections,
+    difficult,
+    easy,
+)
+from prospect_mj.experiment.paper.measures.bootstrap import Floats
+from prospect_mj.experiment.paper.measures.curves import LONG, Curves, mean_of_sets
+from prospect_mj.experiment.paper.measures.measure import measure
+from prospect_mj.experiment.paper.measures.quantity import Kind
+from prospect_mj.experiment.populations.strategies import Strategy
+
+GONE = 0.10
+"""Share of difficult trials at or below which a correction counts as gone."""
+BEGINNING = 5
+"""Blocks of the beginning."""
+
+
+@measure(
+    Kind.TRIAL,
+    "Late corrections gone",
+    "End of the last block in which late corrections are more than 10 % of the "
+    "difficult trials; none if they never are.",
+)
+def late_gone(curves: Curves) -> Floats:
+    """(b,) [trials]."""
+    return stretches.over(difficult(curves, Strategy.LATE), GONE)
+
+
+@measure(
+    Kind.TRIAL,
+    "Early corrections gone",
+    "End of the last block in which early corrections are more than 10 % of the "
+    "difficult trials; none if they never are.",
+)
+def early_gone(curves: Curves) -> Floats:
+    """(b,) [trials]."""
+    return stretches.over(difficult(curves, Strategy.EARLY), GONE)
+
+
+@measure(
+    Kind.TRIAL,
+    "Corrections dominate",
+    "Longest stretch of blocks in which corrections exceed the optimal strategy in the "
+    "difficult trials.",
+)
+def dominance(curves: Curves) -> Floats:
+    """(b,) [trials]."""
+    return stretches.longest(_dominated(curves))
+
+
+@measure(
+    Kind.TRIAL,
+    "Early corrections lead",
+    "Longest stretch of blocks in which corrections exceed the optimal strategy in the "
+    "difficult trials, and early ones exceed late ones as well.",
+)
+def early_lead(curves: Curves) -> Floats:
+    """(b,) [trials]."""
+    early, late = (difficult(curves, kind) for kind in _EARLY_AND_LATE)
+    return stretches.longest(_dominated(curves) & (early > late))
+
+
+@measure(
+    Kind.SHARE,
+    "Largest share of late corrections",
+    "The largest share of late corrections in the difficult trials of a block.",
+)
+def late_most(curves: Curves) -> Floats:
+    """(b,) [1]."""
+    return np.fmax.reduce(difficult(curves, Strategy.LATE), axis=1)
+
+
+@measure(
+    Kind.SHARE,
+    "Largest share of early corrections",
+    "The largest share of early corrections in the difficult trials of a block.",
+)
+def early_most(curves: Curves) -> Floats:
+    """(b,) [1]."""
+    return np.fmax.reduce(difficult(curves, Strategy.EARLY), axis=1)
+
+
+@measure(
+    Kind.SHARE,
+    "Other at the beginning",
+    "Mean share, over the first fifty trials, of difficult trials that were neither "
+    "optimal nor corrected, those cut off among them.",
+)
+def other_first(curves: Curves) -> Floats:
+    """(b,) [1]."""
+    return mean_of_sets(difficult(curves, Strategy.OTHER)[:, :BEGINNING])
+
+
+@measure(
+    Kind.SHARE,
+    "Optimal at the end",
+    "Mean share of the optimal strategy in the difficult ones of the last hundred "
+    "trials.",
+    of_end=True,
+)
+def optimal_last(curves: Curves) -> Floats:
+    """(b,) [1]."""
+    return mean_of_sets(difficult(curves, Strategy.OPTIMAL)[:, -LONG:])
+
+
+@measure(
+    Kind.SHARE,
+    "Worst block of easy trials",
+    "The smallest share of the optimal strategy in the easy trials of a block.",
+)
+def easy_worst(curves: Curves) -> Floats:
+    """(b,) [1]."""
+    return np.fmin.reduce(easy(curves, Strategy.OPTIMAL), axis=1)
+
+
+MEASURES = (
+    late_gone,
+    early_gone,
+    dominance,
+    early_lead,
+    late_most,
+    early_most,
+    other_first,
+    optimal_last,
+    easy_worst,
+)
+"""In the order of tables."""
+
+_EARLY_AND_LATE = Strategy.EARLY, Strategy.LATE
+
+
+def order(development: Development) -> float:
+    """Share of the resamples in which late corrections are gone before early ones [1].
+
+    Where either never was above the level, or is so to the end, there is no order:
+    that one is not counted.
+    """
+    late, early = (gone(development.resampled) for gone in (late_gone, early_gone))
+    return float(np.mean((late < early) & np.isfinite(late)))
+
+
+def _dominated(curves: Curves) -> np.ndarray:
+    return corrections(curves) > difficult(curves, Strategy.OPTIMAL)

@@ -1,0 +1,105 @@
+"""What single runs do: the strategies that prevail one after the other, and changes."""
+
+from collections import Counter
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from prospect_mj.experiment.estimate import Estimate, share
+from prospect_mj.experiment.populations.population import Population
+from prospect_mj.experiment.populations.strategies import Strategy, easy
+
+WINDOW = 10
+"""Difficult trials of a run in which one strategy prevails."""
+
+Sequence = tuple[Strategy, ...]
+"""Strategies that prevail one after the other, each other than the one before."""
+
+
+class SequenceShare(NamedTuple):
+    """How many runs have a sequence."""
+
+    sequence: Sequence
+    share: Estimate
+    """[1]"""
+
+
+def difficult_trials(population: Population) -> list[NDArray[np.int8]]:
+    """Strategies of the difficult trials after the pretraining, run by run."""
+    after = slice(population.scenario.pretrain, None)
+    hard = ~easy(population.lid, population.scenario.dominant)
+    pairs = zip(population.strategy[:, after], hard[:, after], strict=True)
+    return [strategy[is_hard] for strategy, is_hard in pairs]
+
+
+def prevailing(strategies: NDArray[np.int8]) -> Sequence:
+    """The strategies that prevail in the windows of a run.
+
+    Args:
+        strategies: (n,) of its difficult trials; those that fill no window are left
+            out. Of two that are as frequent, the one of the window before prevails, or
+            the first by number.
+    """
+    found: list[Strategy] = []
+    for window in strategies[: len(strategies) // WINDOW * WINDOW].reshape(-1, WINDOW):
+        counts = np.bincount(window, minlength=len(Strategy))
+        if found and counts[found[-1]] == counts.max():
+            continue
+        found.append(Strategy(int(counts.argmax())))
+    return tuple(found)
+
+
+def sequences(population: Population) -> list[SequenceShare]:
+    """All sequences that occur, the most frequent first."""
+    runs = difficult_trials(population)
+    counted = Counter(prevailing(strategies) for strategies in runs)
+    ranked = sorted(counted.items(), key=lambda pair: (-pair[1], pair[0]))
+    return [SequenceShare(found, share(n, len(runs))) for found, n in ranked]
+
+
+def late_before_early(population: Population) -> Estimate:
+    """Share of the runs whose median late correction comes before the median early one.
+
+    A run without either has no such order.
+    """
+    runs = difficult_trials(population)
+    return share(sum(_late_is_first(run) for run in runs), len(runs))
+
+
+def _late_is_first(strategies: NDArray[np.int8]) -> bool:
+    late, early = (
+        np.flatnonzero(strategies == kind) for kind in (Strategy.LATE, Strategy.EARLY)
+    )
+    return bool(len(late) and len(early) and np.median(late) < np.median(early))
+
+
+class Overlap(NamedTuple):
+    """How long late and early corrections are there side by side [difficult trials]."""
+
+    of_runs: NDArray[np.float64]
+    """(r,): in each run that has both."""
+    of_all: float
+    """In all runs together."""
+
+
+def overlap(population: Population) -> Overlap:
+    """Difficult trials from the tenth percentile of early ones to the 90th of late.
+
+    An abrupt change from the one to the other has none, and less than none where there
+    is something else in between. The percentiles leave strays of exploration out.
+    """
+    runs = difficult_trials(population)
+    places = [
+        [np.flatnonzero(run == kind) for kind in (Strategy.LATE, Strategy.EARLY)]
+        for run in runs
+    ]
+    both = [pair for pair in places if all(map(len, pair))]
+    if not both:
+        return Overlap(np.empty(0), np.nan)
+    pooled = [np.concatenate(kind) for kind in zip(*both, strict=True)]
+    return Overlap(np.array([_overlap(*pair) for pair in both]), _overlap(*pooled))
+
+
+def _overlap(late: NDArray[np.intp], early: NDArray[np.intp]) -> float:
+    return float(np.quantile(late, 0.9) - np.quantile(early, 0.1))

@@ -1,0 +1,115 @@
+"""Claims on populations made by hand: each holds of one, and fails of another."""
+
+import numpy as np
+import pytest
+from hand_made_runs import B, E, L, population
+
+from prospect_mj.experiment.development.claims.claims import (
+    AS_PAPER,
+    CONJECTURED,
+    Row,
+    asked,
+    between_learners,
+    claims,
+    developing,
+)
+from prospect_mj.experiment.development.claims.criteria import LIKE_INFANTS, by_share
+from prospect_mj.experiment.development.claims.findings import Findings
+from prospect_mj.experiment.paper.measures.target import Verdict
+
+INFANT = [[L] * 5] * 5 + [[E] * 5] * 6 + [[B] * 5] * 20
+AT_ONCE = [[B] * 5] * 31
+EARLY_FIRST = [[E] * 5] * 6 + [[L] * 5] * 6 + [[B] * 5] * 19
+
+
+def findings(*runs, easy=None):
+    made = population(runs * 5, None if easy is None else [easy] * 5 * len(runs))
+    return Findings.of(made, np.random.default_rng(1), 200)
+
+
+def verdicts(rows):
+    return {claim.words: claim.verdict for claim in claims(rows)}
+
+
+def said(found, words):
+    return next(verdict for text, verdict in found.items() if words in text)
+
+
+def test_a_population_like_infants_meets_all_criteria():
+    row = Row("table", "suppressed")
+    judged = asked({row: findings(INFANT)}, LIKE_INFANTS)[row]
+    assert {one.verdict for one in judged.values()} == {Verdict.HOLDS}
+    assert "late 50, early 110; 100.0 % of the resamples" in {
+        one.words for one in judged.values()
+    }
+
+
+@pytest.mark.parametrize(
+    ("runs", "easy", "failing"),
+    [
+        (EARLY_FIRST, None, "late gone first"),
+        (AT_ONCE, None, "corrections dominate"),
+        ([[L] * 5] * 8 + [[B] * 5] * 23, None, "early corrections lead"),
+        ([[L] * 5] * 5 + [[E] * 5] * 26, None, "optimal in the end"),
+        (INFANT, [[B] * 5] * 30 + [[E] * 2 + [B] * 3], "easy trials spared"),
+    ],
+)
+def test_each_criterion_can_fail(runs, easy, failing):
+    row = Row("discovery", "suppressed")
+    rows = {row: findings(runs, easy=easy)}
+    assert asked(rows, LIKE_INFANTS)[row][failing].verdict is Verdict.FAILS
+    assert developing(rows)[row] is Verdict.FAILS
+
+
+def test_the_conjecture_is_asked_of_discovery_only_where_failures_are_suppressed():
+    found = verdicts({CONJECTURED: findings(INFANT)})
+    assert said(found, "discovers features as it needs") is Verdict.HOLDS
+    found = verdicts({Row("discovery", "allowed"): findings(INFANT)})
+    assert not [words for words in found if "discovers features" in words]
+
+
+def test_a_control_that_does_the_same_makes_discovery_unnecessary():
+    like = Row("replay", "suppressed")
+    found = verdicts({CONJECTURED: findings(INFANT), like: findings(INFANT)})
+    assert said(found, "not necessary") is Verdict.HOLDS
+    found = verdicts({CONJECTURED: findings(INFANT), like: findings(AT_ONCE)})
+    assert said(found, "not necessary") is Verdict.FAILS
+
+
+def test_the_papers_mismatches_are_denied_by_one_that_develops():
+    assert said(verdicts({AS_PAPER: findings(AT_ONCE)}), "mismatches") is Verdict.HOLDS
+    assert said(verdicts({AS_PAPER: findings(INFANT)}), "mismatches") is Verdict.FAILS
+
+
+MIXED = [[L, E, L, E, L]] * 12 + [[B] * 5] * 19
+
+
+def test_single_learners_change_abruptly_or_do_not():
+    assert said(verdicts({CONJECTURED: findings(INFANT)}), "abruptly") is Verdict.HOLDS
+    assert said(verdicts({CONJECTURED: findings(MIXED)}), "abruptly") is Verdict.FAILS
+
+
+def test_learners_that_differ_are_mixed_in_their_mean_alone():
+    runs = [[[L] * 5] * n + [[E] * 5] * 6 + [[B] * 5] * (25 - n) for n in range(2, 12)]
+    assert between_learners(findings(*runs)).verdict is Verdict.HOLDS
+    assert between_learners(findings(MIXED)).verdict is Verdict.FAILS
+    assert between_learners(findings(INFANT)).verdict is Verdict.FAILS
+
+
+def test_a_phase_of_late_ones_alone_must_come_first():
+    assert said(verdicts({CONJECTURED: findings(INFANT)}), "alone") is Verdict.HOLDS
+    found = verdicts({CONJECTURED: findings(EARLY_FIRST)})
+    assert said(found, "alone") is Verdict.FAILS
+
+
+def test_runs_without_corrections_change_from_nothing_to_nothing():
+    found = findings(AT_ONCE)
+    assert np.isnan(found.changes.of_all)
+    assert found.late_first.estimate == 0.0
+    assert said(verdicts({CONJECTURED: found}), "abruptly") is Verdict.OPEN
+
+
+def test_a_share_of_resamples_decides_where_nearly_all_agree():
+    assert by_share(0.95) is Verdict.HOLDS
+    assert by_share(0.05) is Verdict.FAILS
+    assert by_share(0.5) is Verdict.OPEN
