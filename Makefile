@@ -13,6 +13,7 @@ PIP_INSTALL = $(BIN)/python -m pip install --quiet --constraint constraints.txt
 RUNTIME = $(VENV)/.runtime-installed
 DEV = $(VENV)/.dev-installed
 AGENTS = $(VENV)/.agents-installed
+RIVALS = $(VENV)/.rivals-installed
 DOCS = $(VENV)/.docs-installed
 GL = $(VENV)/.gl-checked
 
@@ -56,7 +57,8 @@ study: $(DEV) $(GL) ## the slow studies: actions, reaches, supervisor, learning
 
 agents: $(DEV) $(AGENTS) $(GL) ## install Stable-Baselines3, and let the examples train
 	AGENTS=true $(BIN)/python -m pytest -m 'slow or not slow' tests/examples \
-	tests/docs/test_scripts.py $(ARGS)
+	tests/docs/test_scripts.py \
+	tests/experiment/development/rivals/test_deep_runs.py $(ARGS)
 
 bench: $(RUNTIME) $(GL) ## simulated seconds per wall second, and where the time goes
 	@$(BIN)/prospect bench $(ARGS)
@@ -104,6 +106,10 @@ $(DOCS): $(RUNTIME)
 
 $(AGENTS): $(RUNTIME)
 	@$(PIP_INSTALL) --group agents
+	@touch $@
+
+$(RIVALS): $(RUNTIME)
+	@$(PIP_INSTALL) --editable '.[rivals]'
 	@touch $@
 
 $(GL): $(RUNTIME)

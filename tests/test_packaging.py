@@ -134,6 +134,18 @@ def test_constraints_pin_every_requirement_within_its_bounds():
         assert requirement.specifier.contains(version), (requirement, version)
 
 
+def test_an_extra_has_the_bounds_of_the_group_that_tests_it():
+    groups, extras = (
+        {name: {*lines} for name, lines in found.items()}
+        for found in (
+            PYPROJECT["dependency-groups"],
+            PYPROJECT["project"]["optional-dependencies"],
+        )
+    )
+    assert extras["rivals"] < groups["agents"]
+    assert extras["cluster"] < groups["dev"]
+
+
 def test_constraints_name_no_local_project():
     assert canonicalize_name(PYPROJECT["project"]["name"]) not in pins()
 
@@ -171,7 +183,8 @@ def third_party_imports():
 def test_whatever_is_imported_is_declared():
     """What another package happens to bring along may be gone with its next version."""
     project = PYPROJECT["project"]
-    lines = [*project["dependencies"], *project["optional-dependencies"]["cluster"]]
+    extras = itertools.chain(*project["optional-dependencies"].values())
+    lines = [*project["dependencies"], *extras]
     declared = {canonicalize_name(Requirement(line).name) for line in lines}
     owners = metadata.packages_distributions()
     missing = {

@@ -1,0 +1,1 @@
+"""Deep learners of Stable-Baselines3 on recorded physics."""

@@ -1,0 +1,1 @@
+"""Backward chaining over a model of the task, and search in exact physics."""
