@@ -1,0 +1,1 @@
+"""What categories of grasps tell that two bits can't, and what they do to learning."""

@@ -1,0 +1,133 @@
+"""The study of haptic categories."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import pyarrow as pa
+
+from prospect_mj.checks import check_integer
+from prospect_mj.experiment.development.haptics import ends, live
+from prospect_mj.experiment.development.haptics.effect import Effect, Learn, effect
+from prospect_mj.experiment.development.haptics.grasp import Grasp, table
+from prospect_mj.experiment.development.haptics.recorded import grasps
+from prospect_mj.experiment.development.haptics.settings import HapticSettings
+from prospect_mj.experiment.populations.population import run_population
+from prospect_mj.haptics import ClusterSettings, TrajectoryModels
+from prospect_mj.recording.recording import Recording
+
+FOLDER = "haptics"
+"""Of live grasps, in that of the study."""
+RECORDED = "standard, recorded"
+"""The jar of the recording, among the jars that are grasped live."""
+MODELS = "haptic_models.json"
+
+_MOST_JOBS = 1024
+
+
+@dataclass(frozen=True)
+class HapticResults:
+    """What came out."""
+
+    settings: HapticSettings
+    grasps: Mapping[str, Sequence[Grasp]]
+    """Of each jar; `RECORDED` is the recording's."""
+    models: Mapping[str, TrajectoryModels]
+    """Of the grasps of each jar."""
+    told: pa.Table
+    """Under `ends.TOLD`: how often the end is told right, by what."""
+    numbers: pa.Table
+    """Under `ends.NUMBERS`: what other numbers of models come to."""
+    effect: Effect
+    """What learners do with the categories."""
+
+    @property
+    def tables(self) -> dict[str, pa.Table]:
+        """All of them, by the name of their file."""
+        return {
+            "haptics_grasps": table(self.grasps[RECORDED]),
+            "haptics_told": self.told,
+            "haptics_numbers": self.numbers,
+            "haptics_shares": self.effect.shares,
+            "haptics_measures": self.effect.measures,
+        }
+
+
+def run(
+    folder: Path,
+    recording: Recording,
+    settings: HapticSettings | None = None,
+    jobs: int = 1,
+    tell: Callable[[str], object] = print,
+    learn: Learn | None = None,
+) -> HapticResults:
+    """Grasp, cluster and learn; live grasps that are kept are read.
+
+    Args:
+        folder: of the study; live grasps are kept in `haptics` in it, the models of
+            the recorded ones beside them.
+        recording: with what was felt.
+        settings: of the study.
+        jobs: processes, and threads of learners.
+        tell: takes a line for people now and then.
+        learn: lets a population learn, or reads it where it was kept; None: it learns.
+
+    Raises:
+        RecordingError: if the recording has no grasps, or too few of an end.
+        RenderingUnavailable: if jars are to be grasped and there is no OpenGL.
+        RunFolderError: if a kept file is damaged.
+        ChildProcessError: if a process was killed.
+    """
+    settings = HapticSettings() if settings is None else settings
+    check_integer("jobs", jobs, 1, _MOST_JOBS)
+    rng = np.random.default_rng(settings.seed)
+    felt = {RECORDED: grasps(recording), **_live(folder, settings, jobs, tell)}
+    models = {
+        jar: ends.clustered(each, settings.clusters, rng).models
+        for jar, each in felt.items()
+    }
+    models[RECORDED].write(folder / FOLDER / MODELS)
+    tables = _told(felt, settings, rng), _numbers(felt, settings, rng)
+    size = settings.runs, settings.seed
+    learn = _learning(jobs) if learn is None else learn
+    learned = effect(recording, models[RECORDED], *size, learn, tell)
+    return HapticResults(settings, felt, models, *tables, learned)
+
+
+def _told(
+    felt: Mapping[str, Sequence[Grasp]],
+    settings: HapticSettings,
+    rng: np.random.Generator,
+) -> pa.Table:
+    return pa.concat_tables(
+        ends.told(jar, each, settings.clusters, rng) for jar, each in felt.items()
+    )
+
+
+def _numbers(
+    felt: Mapping[str, Sequence[Grasp]],
+    settings: HapticSettings,
+    rng: np.random.Generator,
+) -> pa.Table:
+    def clusters(n_models: int) -> ClusterSettings:
+        return replace(settings.clusters, models=n_models)
+
+    return pa.concat_tables(
+        ends.numbers(jar, each, settings.most_models, clusters, rng)
+        for jar, each in felt.items()
+    )
+
+
+def _live(
+    folder: Path, settings: HapticSettings, jobs: int, tell: Callable[[str], object]
+) -> dict[str, list[Grasp]]:
+    """The grasps of each jar; none if no jar is to be grasped."""
+    per_side, seed = settings.grasped // 4, settings.seed
+    return live.grasps(folder / FOLDER, per_side, seed, jobs, tell)
+
+
+def _learning(jobs: int) -> Learn:
+    return lambda world, scenario, settings: run_population(
+        world, scenario, settings, jobs
+    )

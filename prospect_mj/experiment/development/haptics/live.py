@@ -1,0 +1,156 @@
+"""Live grasps of jars, each share of them in a process of its own, kept as they end."""
+
+import json
+from collections.abc import Callable, Iterator
+from dataclasses import asdict
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pyarrow as pa
+from pyarrow.lib import ArrowException
+
+from prospect_mj import tables
+from prospect_mj.actions.action import ActionOutcome, ActionResult
+from prospect_mj.control.grasp_settings import GraspResult
+from prospect_mj.errors import ForeignTable, RunFolderError
+from prospect_mj.experiment.development.haptics.grasp import (
+    CRADLE,
+    HAND_OVER,
+    SCHEMA,
+    Grasp,
+    Kind,
+    of_table,
+    table,
+)
+from prospect_mj.experiment.development.haptics.jars import JARS
+from prospect_mj.recording.hands import GRASPS, NUMBERS, SWAPS
+from prospect_mj.recording.provenance import (
+    installed_versions,
+    model_digests,
+    sha256,
+    source_digest,
+)
+from prospect_mj.recording.workers import Workers
+from prospect_mj.robot.names import SIDES, Side, other
+from prospect_mj.sim.scene import SceneSettings
+from prospect_mj.storage import make_folder, replace_file
+from prospect_mj.task.pick_place import PickPlaceTask, TaskSettings
+from prospect_mj.task.presentation import ORIENTATIONS, Orientation
+
+_HAPTICS = 4
+"""Begins the seeds of these presentations; a recording's begin with 0 or 1."""
+
+
+class Share(NamedTuple):
+    """Presentations of a jar with its lid on one side."""
+
+    jar: str
+    orientation: Orientation
+    presentations: int
+    seed: int
+
+    @property
+    def digest(self) -> str:
+        """Of all that decides what is felt."""
+        decides = self._asdict() | {
+            "props": asdict(JARS[self.jar]),
+            "sources": source_digest(),
+            "models": model_digests(),
+            "versions": installed_versions(),
+        }
+        return sha256(json.dumps(decides, sort_keys=True).encode())
+
+    @property
+    def file(self) -> str:
+        """Name of the file that it is kept in."""
+        return f"{self.jar}-{self.orientation}-{self.digest[:16]}.parquet"
+
+
+def grasps(
+    folder: Path,
+    per_side: int,
+    seed: int,
+    jobs: int,
+    tell: Callable[[str], object],
+) -> dict[str, list[Grasp]]:
+    """Grasp all jars, but for what is kept already.
+
+    Args:
+        folder: where grasps are kept; made if it isn't there.
+        per_side: presentations of each jar with the lid on each side; none if 0.
+        seed: of the presentations, which are the same for all jars.
+        jobs: processes side by side.
+        tell: takes a line as each share ends.
+
+    Returns:
+        The grasps of each jar.
+
+    Raises:
+        RunFolderError: if the folder can't be made, or a file in it is damaged.
+        RenderingUnavailable: if there is no OpenGL and something is to be grasped.
+        ChildProcessError: if a process was killed.
+    """
+    make_folder(folder, RunFolderError)
+    jars = JARS if per_side else ()
+    shares = [Share(jar, side, per_side, seed) for jar in jars for side in ORIENTATIONS]
+    missing = [share for share in shares if not (folder / share.file).exists()]
+    if missing:
+        for share, made in Workers(min(jobs, len(missing))).map(_made, missing):
+            content = tables.parquet(table(made), share.digest, "zstd")
+            replace_file(folder / share.file, content)
+            tell(f"{share.jar}, lid {share.orientation}: {len(made)} live grasps")
+    found: dict[str, list[Grasp]] = {jar: [] for jar in jars}
+    for share in shares:
+        found[share.jar] += of_table(_read(folder / share.file, share.digest))
+    return found
+
+
+def _made(share: Share) -> tuple[Share, list[Grasp]]:
+    return share, grasped(share)
+
+
+def grasped(share: Share) -> list[Grasp]:
+    """Present a jar, take it with either hand, and hand it over; those that held."""
+    scene = SceneSettings(props=JARS[share.jar])
+    with PickPlaceTask(TaskSettings(scene=scene)) as task:
+        return [
+            grasp
+            for number in range(share.presentations)
+            for hand in SIDES
+            for grasp in _sequence(task, share, number, hand)
+        ]
+
+
+def _sequence(
+    task: PickPlaceTask, share: Share, number: int, hand: Side
+) -> Iterator[Grasp]:
+    """A hand's grasp out of the cradle, and the other one's in the hand-over."""
+    key = _HAPTICS, ORIENTATIONS.index(share.orientation), number
+    seed = np.random.SeedSequence(share.seed, spawn_key=key)
+    task.reset(share.orientation, np.random.default_rng(seed))
+    steps: tuple[tuple[Kind, Side, ActionOutcome], ...]
+    taken = task.execute(GRASPS[NUMBERS[hand]])
+    passed = task.execute(SWAPS[NUMBERS[hand]])
+    steps = (CRADLE, hand, taken), (HAND_OVER, other(hand), passed)
+    for kind, holder, outcome in steps:
+        if outcome.result == ActionResult.SUCCESS:
+            yield Grasp(share.orientation, number, holder, kind, _felt(outcome))
+
+
+def _felt(outcome: ActionOutcome) -> np.ndarray:
+    """(m, 2): the trajectory of the last grasp of an action, as recordings have it."""
+    results = [run.result for run in outcome.runs]
+    found = [result for result in results if isinstance(result, GraspResult)]
+    return np.array(found[-1].trajectory, np.float32).reshape(-1, 2)
+
+
+def _read(path: Path, digest: str) -> pa.Table:
+    try:
+        return tables.read(path, SCHEMA, digest, of="study")
+    except ForeignTable as error:
+        raise RunFolderError(str(error)) from error
+    except (OSError, ValueError, ArrowException) as error:
+        raise RunFolderError(
+            f"{path} can't be read: it is damaged; move it away and run again"
+        ) from error

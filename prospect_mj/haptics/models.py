@@ -1,0 +1,114 @@
+"""Models of trajectories: what the categories are, and how well a grasp fits them.
+
+A model is a short path through the phase portrait: a normal density for the first
+probe of a grasp and another one for those after a correction, the portrait's two axes
+independent. The samples of a grasp are taken as independent, too, so that
+
+    log P(k, x_1 .. x_n) = log w_k + sum_t log N(x_t; mean_kp, deviation_kp)
+
+with p = p(t), the stage that sample t belongs to.
+Successive samples are nearly equal in truth: the chances are surer than they should be,
+but the most likely model is the same.
+"""
+
+import json
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import softmax
+from scipy.stats import norm
+
+from prospect_mj.errors import InvalidValue
+from prospect_mj.haptics.phase_portrait import together
+from prospect_mj.storage import replace_file
+
+STAGES = 2
+"""Of a path: the first probe, and all later ones."""
+
+_Pairs = tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True)
+class TrajectoryModels:
+    """K models, by their mean residual at the first probe from the least."""
+
+    weight: tuple[float, ...]
+    """(K,): share of all grasps."""
+    mean: tuple[_Pairs, ...]
+    """(K, 2, 2): of each stage, residual [1] and rate [1/s]."""
+    deviation: tuple[_Pairs, ...]
+    """(K, 2, 2): standard deviations [1] and [1/s]."""
+
+    def __post_init__(self) -> None:
+        """Refuse numbers that make no densities."""
+        shapes = [np.shape(a) for a in (self.weight, self.mean, self.deviation)]
+        n_models = len(self.weight)
+        path = n_models, STAGES, 2
+        if shapes != [(n_models,), path, path] or not n_models:
+            expected = "(K,), (K, 2, 2), (K, 2, 2)"
+            raise InvalidValue("shapes of models", shapes, expected)
+        positive = np.concatenate([self.weight, np.ravel(self.deviation)])
+        numbers = np.concatenate([positive, np.ravel(self.mean)])
+        if not np.isfinite(numbers).all() or positive.min() <= 0:
+            expected = "finite, weights and deviations above 0"
+            raise InvalidValue("numbers of models", numbers.tolist(), expected)
+
+    def __len__(self) -> int:
+        """K."""
+        return len(self.weight)
+
+    def log_likelihoods(self, samples: NDArray[np.float64]) -> NDArray[np.float64]:
+        """(n, K): log density of each sample (n, 3) in each model."""
+        stage = stages(samples)
+        mean, deviation = (
+            np.moveaxis(np.array(part)[:, stage], 0, 1)
+            for part in (self.mean, self.deviation)
+        )
+        return norm.logpdf(samples[:, None, :2], mean, deviation).sum(axis=2)
+
+    def chances(self, samples: NDArray[np.float64]) -> NDArray[np.float64]:
+        """(n, K): chance of each model after the first, second, ... of the samples."""
+        evidence = np.cumsum(self.log_likelihoods(samples), axis=0)
+        return softmax(evidence + np.log(self.weight), axis=1)
+
+    def write(self, path: Path) -> None:
+        """Write them to a JSON file."""
+        replace_file(path, f"{json.dumps(asdict(self), indent=2)}\n".encode())
+
+    @classmethod
+    def read(cls, path: Path) -> Self:
+        """Read them from a JSON file.
+
+        Raises:
+            InvalidValue: if it holds none.
+        """
+        try:
+            plain = json.loads(path.read_text(encoding="utf-8"))
+            paths = (plain[name] for name in ("mean", "deviation"))
+            return cls(tuple(plain["weight"]), *map(nested, paths))
+        except (OSError, ValueError, TypeError, KeyError, RecursionError) as error:
+            expected = f"a file of haptic models; {type(error).__name__}"
+            raise InvalidValue("haptic models", str(path), expected) from error
+
+
+def stages(samples: NDArray[np.float64]) -> NDArray[np.intp]:
+    """(n,): the stage of each sample (n, 3)."""
+    return np.minimum(samples[:, 2], STAGES - 1).astype(np.intp)
+
+
+def nested(paths: Sequence[Sequence[Sequence[float]]]) -> tuple[_Pairs, ...]:
+    """Numbers (K, 2, 2) as tuples."""
+    return tuple(tuple(map(tuple, path)) for path in paths)
+
+
+def categories(
+    trajectories: list[NDArray[np.float64]], models: TrajectoryModels
+) -> NDArray[np.int64]:
+    """(t,): the most likely model of each trajectory, by all its samples (k, 3)."""
+    samples, starts = together(trajectories)
+    evidence = np.add.reduceat(models.log_likelihoods(samples), starts, axis=0)
+    return np.argmax(evidence + np.log(models.weight), axis=1)
