@@ -88,6 +88,7 @@ def causal(results: Results) -> Iterator[str]:
     yield "### Order of the splits, re-estimation and inertia"
     yield _FORCED.format(soon=soon, later=later).rstrip()
     yield _CROSSED.rstrip()
+    yield "![Forced splits](figures/causal_splits.png)"
     yield _crossed(
         ("split first", "values"),
         RATES,
@@ -96,6 +97,7 @@ def causal(results: Results) -> Iterator[str]:
     )
     yield "### Labels, re-estimation and inertia"
     yield _LABELLED.rstrip()
+    yield "![Labels](figures/causal_labels.png)"
     yield _crossed(
         ("labels", "remembered", "values"),
         _LABELLED_RATES,

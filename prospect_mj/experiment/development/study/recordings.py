@@ -1,13 +1,13 @@
 """The recordings of the worlds that the study learns from."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Self
 
 from prospect_mj import paths
 from prospect_mj.errors import RecordingError
-from prospect_mj.experiment.development.study.settings import STANDARD
+from prospect_mj.experiment.development.study.settings import STANDARD, Extent
 from prospect_mj.experiment.populations.digests import recording_digest
 from prospect_mj.experiment.populations.scenario import PopulationSettings
 from prospect_mj.experiment.populations.world import World
@@ -19,6 +19,32 @@ SHIPPED = paths.ASSETS / "recordings"
 
 _LID_FIRST = ("post",)
 """Worlds in which the lid goes down."""
+
+
+def there(extent: Extent) -> Extent:
+    """The parts and worlds that the recordings suffice for that come with the package.
+
+    Args:
+        extent: if it is not the usual one, something in it was asked for by name, and
+            it is left as it is.
+    """
+    if extent != Extent():
+        return extent
+    worlds, changes = (
+        tuple(world for world in names if world == STANDARD or _is_shipped(world))
+        for names in (extent.worlds, extent.changes)
+    )
+    lacking = {"worlds": worlds == (STANDARD,), "change": not changes}
+    return replace(
+        extent,
+        parts=tuple(part for part in extent.parts if not lacking.get(part)),
+        worlds=worlds,
+        changes=changes or extent.changes,
+    )
+
+
+def _is_shipped(world: str) -> bool:
+    return (SHIPPED / world).is_dir()
 
 
 @dataclass(frozen=True)

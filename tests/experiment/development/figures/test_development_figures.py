@@ -1,0 +1,167 @@
+"""Figures of the study, looked at as pictures: what is drawn is where it belongs."""
+
+from math import inf, nan
+
+import cv2
+import numpy as np
+import pytest
+import study_by_hand
+from hand_made_runs import B, E, L, X, population
+from matplotlib.axes import Axes
+from study_by_hand import EXTENT, results
+
+from prospect_mj.agent.features import N_BINS
+from prospect_mj.experiment.development.figures import (
+    found,
+    intervals,
+    pictures,
+    shares,
+    single_runs,
+)
+from prospect_mj.experiment.development.figures.grid import COLOURS
+from prospect_mj.experiment.development.figures.shares import Panel
+from prospect_mj.experiment.development.study.pictures import NO_JAR, JarPicture
+from prospect_mj.experiment.development.study.settings import Extent
+from prospect_mj.experiment.paper.measures.bootstrap import Interval
+
+NAMES = {
+    "learners": ("strategies", "sequences"),
+    "causal": ("causal", "causal_splits", "causal_labels"),
+    "population": ("population",),
+    "worlds": ("worlds",),
+    "change": ("change",),
+    "found": ("found",),
+}
+
+
+def decoded(png):
+    return cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_COLOR_RGB).astype(int)
+
+
+def where(image, colour):
+    """Columns of the pixels of a colour."""
+    rgb = np.array([int(colour[i : i + 2], 16) for i in (1, 3, 5)])
+    return np.nonzero(np.abs(image - rgb).max(axis=-1) <= 3)[1]
+
+
+def jar(orientation):
+    """A jar whose columns are levels 0 to 99, with nothing round it."""
+    level = np.full((12, N_BINS + 2), NO_JAR)
+    level[1:-1, 1:-1] = np.arange(N_BINS)
+    return JarPicture(orientation, np.full((*level.shape, 3), 100, np.uint8), level)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def no_rendering():
+    with pytest.MonkeyPatch.context() as patch:
+        jars = [jar("left"), jar("right")]
+        patch.setattr(pictures, "jar_pictures", lambda recording: jars)
+        yield
+
+
+@pytest.fixture(scope="module")
+def drawn():
+    made = results(Extent(("learners", "causal", "population", "worlds", "found")))
+    return {name: decoded(png) for name, png in pictures.pictures(made, None)}
+
+
+def test_every_part_has_its_figures(drawn):
+    parts = [part for part in EXTENT.parts if part != "change"]
+    assert list(drawn) == [name for part in parts for name in NAMES[part]]
+
+
+def test_a_part_alone_is_drawn_alone():
+    made = results(Extent(("change",), changes=("post",)))
+    ((name, png),) = pictures.pictures(made, None)
+    assert name == "change"
+    assert len(where(decoded(png), COLOURS[L])) > 100
+
+
+def test_figures_are_of_a_size_that_a_page_has(drawn):
+    for name, image in drawn.items():
+        height, width, _ = image.shape
+        assert 1100 <= width <= 1600, name
+        assert 300 <= height <= 1800, name
+        assert (image.min(axis=-1) < 128).mean() > 0.002, name
+
+
+def test_shares_come_one_after_the_other():
+    told = study_by_hand.findings("infant")
+    image = decoded(shares.shares("Title", "of", [[Panel("one", told.development)]]))
+    late, early, optimal = (np.median(where(image, COLOURS[k])) for k in (L, E, B))
+    assert late < early < optimal
+
+
+def test_names_stand_in_the_order_of_the_stages_and_rare_ones_nowhere(monkeypatch):
+    written, write = [], Axes.text
+
+    def text(axes, x, y, words, **style):
+        written.append(words)
+        return write(axes, x, y, words, **style)
+
+    monkeypatch.setattr(Axes, "text", text)
+    for kind, expected in (
+        ("infant", ["late", "early", "optimal"]),
+        ("at once", ["other", "optimal"]),
+    ):
+        written.clear()
+        panel = Panel("one", study_by_hand.findings(kind).development)
+        shares.shares("Title", "of", [[panel]])
+        assert written == expected
+
+
+def test_cells_are_what_prevails_in_ten_difficult_trials():
+    slow = [[L] * 5, [L] * 5, [E] * 5, [E, E, B, B, B], [B] * 5, [B] * 5]
+    fast = [[X] * 5, [X, X, L, L, L], *[[B] * 5] * 4]
+    cells = single_runs.prevailing_cells(population([slow, fast]))
+    # Ten trials are two blocks; who is optimal first is above.
+    assert cells.tolist() == [[X, B, B], [L, E, B]]
+
+
+def test_single_runs_are_few_and_coloured(drawn):
+    many = population([[[L] * 5] * 4] * (single_runs.RUNS + 9))
+    assert single_runs.prevailing_cells(many).shape == (single_runs.RUNS, 2)
+    assert len(where(drawn["sequences"], COLOURS[L])) > 1000
+
+
+def dots(*measured):
+    """Where dots of rows with such measures are, for each row."""
+    column = intervals.Column(
+        "title", (intervals.Dots("late_gone", "late", "#d55e00"),), 680
+    )
+    rows = {f"row {number}": {"late_gone": one} for number, one in enumerate(measured)}
+    png = intervals.intervals("Title", "of", rows, (column,))
+    return where(decoded(png), "#d55e00")
+
+
+def test_dots_stand_where_their_numbers_are():
+    middles = [np.median(dots(Interval(n, n, n, 0.0))) for n in (100, 200, 300, 600)]
+    steps = np.diff(middles)
+    # The key below the axis moves the median a little.
+    assert steps[0] == pytest.approx(steps[1], abs=15)
+    assert steps[2] == pytest.approx(3 * steps[0], rel=0.1)
+
+
+def test_never_is_at_the_end_and_nothing_is_nowhere():
+    there = len(dots(Interval(100, 90, 110, 0.0)))
+    nothing = len(dots(Interval(nan, nan, nan, 1.0)))
+    never = dots(Interval(inf, 300, inf, 0.0))
+    assert nothing < there
+    assert never.max() > dots(Interval(600, 600, 600, 0.0)).max()
+
+
+def test_only_pixels_of_levels_that_say_something_are_marked():
+    levels = np.zeros(N_BINS)
+    levels[10:20], levels[60:70], levels[80] = 2.0, -2.0, 0.1
+    image = found.marked(jar("left"), levels).astype(int)[5, 1:-1]
+    blue, red = image[:, 2] - image[:, 0], image[:, 0] - image[:, 2]
+    assert np.flatnonzero(blue > 20).tolist() == list(range(10, 20))
+    assert np.flatnonzero(red > 20).tolist() == list(range(60, 70))
+    assert (image[80] == image[0]).all()
+    around = found.marked(jar("left"), levels)[0]
+    assert len(np.unique(around)) == 1
+
+
+def test_nothing_is_marked_where_nothing_is_said():
+    image = found.marked(jar("right"), np.zeros(N_BINS))
+    assert (image == image.min(axis=-1, keepdims=True)).all()

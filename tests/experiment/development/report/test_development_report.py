@@ -1,0 +1,242 @@
+"""The report says what was measured, and draws its conclusions from the verdicts."""
+
+import re
+from dataclasses import replace
+
+import pytest
+import study_by_hand
+from study_by_hand import EXTENT, results
+
+from prospect_mj.cli import command_line
+from prospect_mj.cli.development import DevelopmentOptions
+from prospect_mj.experiment.development.claims.claims import (
+    AS_PAPER,
+    CONJECTURED,
+    PREDICTION,
+    Row,
+)
+from prospect_mj.experiment.development.figures import pictures
+from prospect_mj.experiment.development.measures.ages import AGES
+from prospect_mj.experiment.development.measures.measures import MEASURES
+from prospect_mj.experiment.development.report.abstract import ABSTRACT
+from prospect_mj.experiment.development.report.command import command
+from prospect_mj.experiment.development.report.opening import answer
+from prospect_mj.experiment.development.report.report import Made, report
+from prospect_mj.experiment.development.study import causal, learners
+from prospect_mj.experiment.development.study.settings import (
+    PARTS,
+    Extent,
+    StudySettings,
+)
+from prospect_mj.experiment.development.study.tables import tables
+from prospect_mj.experiment.paper.measures.bootstrap import Interval
+from prospect_mj.experiment.paper.measures.quantity import with_interval
+from prospect_mj.recording.config import RecordingConfig
+from prospect_mj.recording.key import RecordingKey
+
+HEADINGS = {
+    "learners": "Every learner under both rules",
+    "causal": "What makes the order",
+    "population": "A population of learners that differ",
+    "worlds": "Worlds that look unlike each other",
+    "change": "A world that changes",
+    "found": "What was discovered",
+}
+KEY = RecordingKey(RecordingConfig(seed=7), {}, {}, {})
+
+
+@pytest.fixture(scope="module")
+def whole():
+    return report(Made(results(), {"standard": KEY}))
+
+
+def lines_of(text, *words):
+    return [line for line in text.splitlines() if all(word in line for word in words)]
+
+
+def test_every_part_has_its_section_and_its_command(whole):
+    for part, heading in HEADINGS.items():
+        assert f"\n## {heading}\n" in whole
+        assert lines_of(whole, "Made by `prospect development", part)
+
+
+def test_parts_that_were_left_out_are_not_told():
+    for part, heading in HEADINGS.items():
+        rest = [one for one in EXTENT.parts if one != part]
+        text = report(Made(results(replace(EXTENT, parts=tuple(rest))), {}))
+        assert f"## {heading}" not in text
+        alone = report(Made(results(replace(EXTENT, parts=(part,))), {}))
+        assert f"\n## {heading}\n" in alone
+        assert ("was left out" in alone) == (part != "learners")
+
+
+def test_what_is_linked_is_there(whole, monkeypatch):
+    made = results()
+    monkeypatch.setattr(pictures, "_strategies", lambda results: b"")
+    monkeypatch.setattr(pictures, "_change", lambda results: b"")
+    monkeypatch.setattr(pictures, "jar_pictures", lambda recording: [])
+    names = {f"figures/{name}.png" for name, _ in pictures.pictures(made, None)}
+    names |= {f"tables/{name}.parquet" for name in tables(made)}
+    linked = re.findall(r"\]\(([^)]*)\)", whole)
+    assert set(linked) <= names
+    assert {name for name in names if name.startswith("figures")} <= set(linked)
+
+
+def test_tables_are_whole(whole):
+    blocks = [b for b in whole.split("\n\n") if b.startswith("| ")]
+    assert len(blocks) > 10
+    for block in blocks:
+        widths = {line.count("|") for line in block.splitlines()}
+        assert len(widths) == 1, block.splitlines()[0]
+    assert not re.search(r"\b(nan|inf)\b", whole)
+
+
+def test_numbers_of_a_row_are_those_measured(whole):
+    (told,) = [
+        one
+        for one in results().learners
+        if (one.row.name, one.row.rule) == ("replay", "suppressed")
+    ]
+    suppressed = whole.partition("### Failed actions suppressed")[2]
+    cells = lines_of(suppressed, "| replay | ")[0].strip("| ").split(" | ")
+    measured = told.findings.measured
+    expected = [with_interval(measured[one.name], one.kind) for one in MEASURES]
+    assert cells == ["replay", str(told.runs), *expected, "100.0 %"]
+    assert cells[2] == "60 (60 to 60)"
+
+
+def test_learners_and_controls_are_in_the_same_tables(whole):
+    names = {**learners.LEARNERS, **learners.CONTROLS}
+    for rule in ("allowed", "suppressed"):
+        section = whole.partition(f"### Failed actions {rule}\n\n")[2]
+        table = section.partition("\n\n")[0]
+        found = [line.split(" | ")[0].strip("| ") for line in table.splitlines()[1:]]
+        assert [one for one in found if one in names] == list(names)
+
+
+def test_infants_are_told_in_words_only(whole):
+    (line,) = set(lines_of(whole, "| *infants* |"))
+    assert [cell.strip() for cell in line.split("|")[2:-1]] == [
+        *(age.infants for age in AGES),
+        "yes",
+    ]
+    assert not re.search(r"\d", line)
+
+
+def test_few_runs_are_warned_of():
+    words = "intervals are too narrow"
+    assert words in report(Made(results(), {}))
+    enough = StudySettings(runs=20, setting_runs=20)
+    assert words not in report(Made(results(settings=enough), {}))
+
+
+def test_it_tells_what_it_learned_from_and_how_long_it_took(whole):
+    assert f"| standard | {KEY.digest[:16]} | 7 |" in whole
+    assert "| causal | 2 |" in whole
+    assert f"| all parts | {1.5 * len(EXTENT.parts):.0f} |" in whole
+
+
+def test_every_causal_row_is_in_a_table(whole):
+    section = whole.partition("## What makes the order")[2].partition("\n## ")[0]
+    for row in causal.single(study_by_hand.SETTINGS):
+        assert len(lines_of(section, f"| {row.name} | 66 (60 to 70) |")) == 1
+    crossed = [line for line in section.splitlines() if line.count("; 100.0 %; ")]
+    found = sum(line.count("; 100.0 %; ") + line.count("; 0.0 %; ") for line in crossed)
+    kept = len(causal.VALUES) - 1
+    per_values = len(causal.ORDERS) * len(causal.RATES)
+    labelled = len(causal.LABELS) * len(causal.CACHES) * len(causal.RATES[:3])
+    assert found == kept * (per_values + labelled)
+
+
+YES, NO, OPEN = "**Yes**", "**No**", "**Undecided with so many runs**"
+
+
+def rows(**kinds):
+    """Findings of the conjectured learner, another one, and the paper's."""
+    names = {"conjectured": CONJECTURED, "paper": AS_PAPER}
+    names["other"] = Row("replay", "suppressed")
+    return {names[name]: study_by_hand.findings(kind) for name, kind in kinds.items()}
+
+
+@pytest.mark.parametrize(("kind", "word"), [("infant", YES), ("late", NO)])
+def test_the_answer_follows_the_verdict(kind, word):
+    said = answer(rows(conjectured=kind))
+    assert [word in said for word in (word, YES, NO, OPEN)].count(True) == 2
+    late = study_by_hand.findings(kind).measured["late_gone"].estimate
+    assert f"late corrections are gone after {late:.0f}" in said
+
+
+def test_what_an_interval_leaves_open_is_undecided():
+    (found,) = rows(conjectured="infant").values()
+    wide = {**found.measured, "easy_worst": Interval(0.8, 0.6, 0.9, 0.0)}
+    assert OPEN in answer({CONJECTURED: replace(found, measured=wide)})
+
+
+def test_discovery_is_called_unnecessary_only_if_another_does_the_same():
+    does = answer(rows(conjectured="infant", other="infant"))
+    assert "Discovery is not necessary" in does
+    assert "*replay, suppressed*" in does
+    lacks = answer(rows(conjectured="infant", other="late"))
+    assert "not necessary" not in lacks
+    assert "No learner without discovery is shown" in lacks
+
+
+def test_the_paper_s_learner_is_judged_by_what_it_did():
+    assert "shows both mismatches" in answer(rows(paper="at once"))
+    assert "does not show both mismatches" in answer(rows(paper="infant"))
+
+
+def test_claims_stand_under_their_verdict(whole):
+    opening = whole.partition("## Claims")[2].partition("## A prediction")[0]
+    holds, _, fails = opening.partition("### What doesn't hold")
+    assert "goes through late, then early corrections" in holds
+    # Made by hand, rows with features of their own development do as with forced ones.
+    assert "takes both: insertions split before grasps" in fails
+    assert (
+        "### What is undecided" not in opening or "| " in opening.rpartition("###")[2]
+    )
+
+
+def test_there_is_one_prediction_and_what_it_rests_on(whole):
+    assert whole.count(PREDICTION) == 1
+    section = whole.partition("## A prediction")[2].partition("\n## ")[0]
+    assert "phase of late ones alone.* (holds)" in section
+    assert "change from late to early corrections abruptly.* (holds)" in section
+    # By hand all learners change at the same time.
+    assert "not within a learner.* (does not hold)" in section
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_the_command_of_a_part_makes_it_again(part):
+    settings = StudySettings(runs=50, seed=3, deep_runs=5, grasped=0)
+    extent = Extent(worlds=("standard", "noisy"), changes=("post",))
+    words = re.fullmatch(r"Made by `(.*)`\.", command(results(extent, settings), part))
+    program, subcommand, *argv = words[1].split()
+    assert (program, subcommand) == ("prospect", "development")
+    usual = DevelopmentOptions()
+    options = command_line.parse(DevelopmentOptions, argv, usual, program)
+    assert options.config == settings
+    assert options.extent.parts == (part,)
+    if part == "worlds":
+        assert options.extent.worlds == extent.worlds
+    if part == "change":
+        assert options.extent.changes == extent.changes
+
+
+def test_the_abstract_task_is_told_of_learners_that_there_are():
+    names = {**learners.LEARNERS, **learners.CONTROLS}
+    assert {name for name, _ in ABSTRACT} <= set(names)
+    assert {rule for _, rule in ABSTRACT} == {"allowed", "suppressed"}
+
+
+def test_what_differs_from_the_abstract_task_is_marked(whole):
+    section = whole.partition("differs from the abstract one")[2].partition("\n## ")[0]
+    (line,) = lines_of(section, "| discovery | suppressed |")
+    cells = line.strip("| ").split(" | ")[2:]
+    # Late ones 80 there and 60 here: more than a block apart. Early: 210 and 140.
+    assert cells[0] == "**80 / 60 (60 to 60)**"
+    assert cells[1] == "**210 / 140 (140 to 140)**"
+    assert cells[4] == "93.0 % / 100.0 % (100.0 % to 100.0 %)"
+    assert cells[-1] == "100.0 % / 100.0 %"
+    assert "*linear, step .02, allowed* (98.0 %, now 0.0 %)" in section
+    assert "*discovery, suppressed*" not in section
