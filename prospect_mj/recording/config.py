@@ -29,7 +29,8 @@ class RecordingConfig:
     grid_cells: int = 16
     """Of harmonic movements: cells of the coarsest grid for each of its four joints."""
     world: str = STANDARD
-    """What stands round the torso, and how well its eyes see."""
+    """What stands round the torso, and how well its eyes see: standard, post,
+    lamp-right, lamp-high, noisy, ring-label, wide-lid or narrow-lid."""
 
     def __post_init__(self) -> None:
         """Refuse numbers and choices that make no recording."""

@@ -24,6 +24,11 @@ class World:
     """Of the eyes, each channel of each pixel [grey levels]."""
 
     @property
+    def lid_first(self) -> bool:
+        """Whether the lid's end goes down, in place of the body's."""
+        return self.props.well.post is not None
+
+    @property
     def digest(self) -> str:
         """SHA-256 of all that decides an outcome, as hexadecimal digits."""
         parts = asdict(self.props), self.noise_sd

@@ -17,10 +17,12 @@ from prospect_mj.recording.provenance import (
     sha256,
     source_digest,
 )
+from prospect_mj.recording.worlds import WORLDS
 
 CONFIGURATION = "configuration"
 LEARNER = "learner"
 RECORDING = "recording"
+WORLD = "world"
 PRESENTATIONS = "number of presentations to draw from"
 LEARNER_CODE = ("agent/features.py", "agent/linear_q.py")
 """What decides how is learned."""
@@ -34,7 +36,8 @@ def digests(config: TrainConfig) -> dict[str, str]:
 
     Returns:
         Hexadecimal digest of the configuration, of each model file, of the learner's
-        code, and of recorded physics or of the sources of live physics, by name.
+        code, and of recorded physics or of the sources and the world of live physics,
+        by name.
 
     Raises:
         MissingFile: if a model file is missing.
@@ -44,7 +47,8 @@ def digests(config: TrainConfig) -> dict[str, str]:
     found |= model_digests()
     if config.physics == "recorded":
         return found | _recording_digests(config)
-    return found | {"sources": source_digest()}
+    world = {WORLD: WORLDS[config.world].digest}
+    return found | {"sources": source_digest()} | world
 
 
 def learner_digest() -> str:
