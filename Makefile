@@ -23,8 +23,8 @@ export TRIALS RUNS OUT
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DEFAULT_GOAL = help
 .DELETE_ON_ERROR:
-.PHONY: help train reproduce live test lint study agents bench doctor docs tutorial \
-	constraints clean
+.PHONY: help train reproduce live development test lint study agents bench doctor docs \
+	tutorial constraints clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1|\2/p' Makefile | \
@@ -43,6 +43,10 @@ live: RUNS = 20
 live: $(RUNTIME) $(GL) ## live runs to compare with, some hours: RUNS=20, OUT=<folder>
 	@$(BIN)/prospect live-runs --runs="$$RUNS" --trials="$$TRIALS" \
 	$${OUT:+--out="$$OUT"} $(ARGS)
+
+development: $(RUNTIME) $(RIVALS) $(GL) ## who develops as infants do: RUNS=1000, OUT=<folder>
+	@$(BIN)/prospect development --runs="$$RUNS" $${OUT:+--out="$$OUT"} \
+	--parts learners causal population found rivals $(ARGS)
 
 test: lint $(GL) ## lint, then every fast test
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal $(ARGS)

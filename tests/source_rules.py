@@ -19,6 +19,7 @@ CONFINED = {
     "imageio_ffmpeg": ("prospect_mj/replay/video.py",),
     "gymnasium": ("prospect_mj/envs/",),
     "matplotlib": (
+        "prospect_mj/experiment/development/figures/",
         "prospect_mj/experiment/pictures/automaton_plot.py",
         "prospect_mj/experiment/pictures/field_plot.py",
         "prospect_mj/experiment/development/haptics/figure.py",

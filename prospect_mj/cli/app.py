@@ -29,6 +29,7 @@ COMMANDS = {
     "view": Command("view", "play actions in MuJoCo's viewer, live"),
     "record": Command("record", "record what every sequence of actions leads to"),
     "reproduce": Command("reproduce", "the paper's experiment on recorded physics"),
+    "development": Command("development", "which learners develop as infants do"),
     "live-runs": Command("live_runs", "runs on live physics to hold against it"),
     "skill-study": Command("skill_study", "success and duration of every action"),
     "bench": Command("bench", "speed of the simulation, and where the time goes"),

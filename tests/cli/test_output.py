@@ -14,6 +14,7 @@ from ideal_env import IdealEnv
 
 from prospect_mj.cli import bench, reproduce, train
 from prospect_mj.cli.output import Output, as_json
+from prospect_mj.experiment.populations.costs import Cost
 from prospect_mj.experiment.studies.bench import BenchResult
 
 
@@ -84,15 +85,22 @@ def test_a_bench_gives_the_same_figures_both_ways(monkeypatch, capsys):
         ticks.extend(tick() for _ in range(config.trials))
         return measured
 
+    costs = [Cost("linear", 0.005, 1e-6, 3e-4, 14000), Cost("new", 0.01, 3e-6, 6e-4, 7)]
     monkeypatch.setattr(bench, "bench", instead)
+    monkeypatch.setattr(bench, "measured_costs", lambda recording: costs)
     assert bench.main(["--trials", "4", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["times_real_time"] == 2.5
     assert found["shares_of_wall_time"] == {"mj_step": 0.25, "other": 0.75}
+    assert found["learners"][1] == costs[1]._asdict()
     assert bench.main(["--trials", "4"]) == 0
     words = capsys.readouterr().out
     assert "2.5 simulated seconds per wall second" in words
     assert "40 ms" in words
+    head, first, second = words.splitlines()[-3:]
+    assert head.split()[:2] == ["learner", "ms"]
+    assert first.startswith("linear")
+    assert second.split()[:4] == ["new", "10", "(x", "2)"]
     assert len(ticks) == 8
 
 

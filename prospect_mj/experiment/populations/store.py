@@ -79,6 +79,7 @@ class Store:
         make_folder(folder, RunFolderError)
         self._folder, self._world, self._jobs = folder, World.of(recording), jobs
         self._used: set[Path] = set()
+        self._codes: dict[str, str] = {}
         self._base = {
             "recording": world_digest(self._world),
             "versions": installed_versions(PACKAGES),
@@ -106,7 +107,7 @@ class Store:
             "scenario": asdict(scenario),
             "settings": asdict(settings),
             "then": None if then is None else world_digest(World.of(then)),
-            "code": code(settings.learner.name),
+            "code": self._code(settings.learner.name),
             **self._base,
         }
         digest = sha256(json.dumps(decides, sort_keys=True).encode())
@@ -121,6 +122,12 @@ class Store:
         notes = {name: json.dumps(value) for name, value in decides.items()}
         replace_file(path, tables.parquet(_rows(kept), digest, "zstd", notes))
         return kept
+
+    def _code(self, learner: str) -> str:
+        """Digest of the code of a learner, by its name; taken once."""
+        if learner not in self._codes:
+            self._codes[learner] = code(learner)
+        return self._codes[learner]
 
     def unused(self) -> list[Path]:
         """Files that were not asked for, such as those of older code."""

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import inf
 from typing import NamedTuple
 
 from prospect_mj.experiment.development.claims.criteria import (
@@ -11,15 +10,16 @@ from prospect_mj.experiment.development.claims.criteria import (
     Criterion,
     Judged,
     all_of,
-    by_share,
 )
-from prospect_mj.experiment.development.claims.findings import (
-    ABRUPT,
-    Changes,
-    Findings,
+from prospect_mj.experiment.development.claims.findings import Findings
+from prospect_mj.experiment.development.claims.single_runs import (
+    ABRUPTLY,
+    LATE_ALONE,
+    LATE_FIRST,
+    change_words,
+    mixed_in_mean,
 )
-from prospect_mj.experiment.paper.measures.target import Target, Verdict
-from prospect_mj.experiment.populations.strategies import Strategy
+from prospect_mj.experiment.paper.measures.target import Verdict
 
 
 class Row(NamedTuple):
@@ -51,7 +51,6 @@ Asked = Mapping[Row, Mapping[str, Judged]]
 
 AS_PAPER = Row("linear", "allowed")
 CONJECTURED = Row("discovery", "suppressed")
-PRACTISED = Strategy.LATE, Strategy.EARLY, Strategy.OPTIMAL
 
 
 def asked(rows: Mapping[Row, Findings], criteria: Sequence[Criterion]) -> Asked:
@@ -77,9 +76,10 @@ def claims(rows: Mapping[Row, Findings]) -> list[Claim]:
     if AS_PAPER in rows:
         found.append(_paper(rows))
     if CONJECTURED in rows:
-        found += [_conjecture(rows), _single_runs(rows), _abruptness(rows)]
-        found.append(_late_only(rows))
-    found.append(_not_necessary(rows))
+        found.append(_conjecture(rows))
+        found += [_shared(rows, *one) for one in _OF_SINGLE_RUNS]
+    if any(row.learner != CONJECTURED.learner for row in rows):
+        found.append(_not_necessary(rows))
     return found
 
 
@@ -118,9 +118,9 @@ def _not_necessary(rows: Mapping[Row, Findings]) -> Claim:
     like = [row.words for row, one in others.items() if one is Verdict.HOLDS]
     undecided = [row.words for row, one in others.items() if one is Verdict.OPEN]
     verdict = Verdict.OPEN if undecided else Verdict.FAILS
-    evidence = f"by all criteria as infants: {', '.join(like) or 'none of the others'}"
+    evidence = f"by all criteria as infants: {'; '.join(like) or 'none of the others'}"
     if undecided:
-        evidence += f"; undecided: {', '.join(undecided)}"
+        evidence += f"; undecided: {'; '.join(undecided)}"
     return Claim(
         "Discovery is not necessary for that: learners without it meet the same "
         "criteria.",
@@ -129,29 +129,29 @@ def _not_necessary(rows: Mapping[Row, Findings]) -> Claim:
     )
 
 
-def _single_runs(rows: Mapping[Row, Findings]) -> Claim:
-    findings = rows[CONJECTURED]
-    first = findings.late_first
-    shares = {one.sequence: one.share for one in findings.sequences}
-    whole = shares.get(PRACTISED)
-    exactly = "none" if whole is None else f"{whole.words(0, 100)} %"
-    verdict = Verdict.HOLDS if first.low > 0.5 else Verdict.OPEN
-    return Claim(
+_OF_SINGLE_RUNS = (
+    (
+        LATE_FIRST,
         "Most single learners go the same way, not just their mean: the median late "
         "correction comes before the median early one.",
-        Verdict.FAILS if first.high < 0.5 else verdict,
-        f"{first.words(0, 100)} % of the runs; late, early, optimal and nothing else "
-        f"prevail in {exactly}",
-    )
+    ),
+    (ABRUPTLY, "Single learners change from late to early corrections abruptly."),
+    (
+        LATE_ALONE,
+        "Before the mixture of late and early corrections there is a phase of late "
+        "ones alone.",
+    ),
+)
+"""Each with the words of the claim."""
 
 
-def _abruptness(rows: Mapping[Row, Findings]) -> Claim:
-    found = rows[CONJECTURED].changes
-    return Claim(
-        "Single learners change from late to early corrections abruptly.",
-        Target(-inf, ABRUPT).verdict(found.of_runs),
-        _overlaps(found),
-    )
+def _shared(rows: Mapping[Row, Findings], criterion: Criterion, words: str) -> Claim:
+    """A claim on the learner of the conjecture, and of whom else it holds."""
+    judged = {row: criterion.judge(findings) for row, findings in rows.items()}
+    its = judged.pop(CONJECTURED)
+    also = [row.words for row, one in judged.items() if one.verdict is Verdict.HOLDS]
+    others = f"; it also holds for: {'; '.join(also) or 'none'}" if judged else ""
+    return Claim(words, its.verdict, its.words + others)
 
 
 def between_learners(findings: Findings) -> Claim:
@@ -160,39 +160,11 @@ def between_learners(findings: Findings) -> Claim:
     Args:
         findings: of a population with spread parameters.
     """
-    found = findings.changes
-    single = Target(-inf, ABRUPT).verdict(found.of_runs)
-    is_mixed = found.of_all > max(ABRUPT, found.of_runs.high)
     return Claim(
         "Where learners differ, late and early corrections are mixed in their mean, "
         "and not within a learner.",
-        single if is_mixed else Verdict.FAILS,
-        _overlaps(found),
-    )
-
-
-def _overlaps(found: Changes) -> str:
-    runs = found.of_runs
-    return (
-        f"late and early ones overlap in {runs.estimate:.0f} ({runs.low:.0f} to "
-        f"{runs.high:.0f}) difficult trials of a median run, in {found.of_all:.0f} of "
-        f"all runs together; in less than {ABRUPT} in {found.abrupt.words(0, 100)} % "
-        "of the runs that have both"
-    )
-
-
-def _late_only(rows: Mapping[Row, Findings]) -> Claim:
-    curves = rows[CONJECTURED].development
-    shares = [one.difficult.strategies[:, :, one.switch] for one in curves]
-    is_late = shares[1][:, Strategy.LATE] > 4 * shares[1][:, Strategy.EARLY]
-    late, early = (shares[0][0, kind] for kind in PRACTISED[:2])
-    return Claim(
-        "Before the mixture of late and early corrections there is a phase of late "
-        "ones alone.",
-        by_share(float(is_late.mean())),
-        f"in the first ten trials late ones are {100 * late:.0f} % of the difficult "
-        f"ones, early ones {100 * early:.0f} %; four times as many late ones in "
-        f"{100 * is_late.mean():.1f} % of the resamples",
+        all_of([ABRUPTLY.judge(findings).verdict, mixed_in_mean(findings)]),
+        change_words(findings.changes),
     )
 
 

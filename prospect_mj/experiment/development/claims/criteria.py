@@ -41,7 +41,8 @@ def _measured(name: str, kind: Kind, target: Target) -> Callable[[Findings], Jud
 
     def judge(findings: Findings) -> Judged:
         found = findings.measured[name]
-        return Judged(target.verdict(found), with_interval(found, kind))
+        unit = " trials" if kind is Kind.TRIAL else ""
+        return Judged(target.verdict(found), with_interval(found, kind) + unit)
 
     return judge
 

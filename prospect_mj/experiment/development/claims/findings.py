@@ -7,39 +7,17 @@ from typing import Self
 import numpy as np
 
 from prospect_mj.experiment.development.measures.ages import Found, ages, in_order
+from prospect_mj.experiment.development.measures.changes import Changes
 from prospect_mj.experiment.development.measures.development import Development
 from prospect_mj.experiment.development.measures.measures import MEASURES, order
 from prospect_mj.experiment.development.measures.sequences import (
     SequenceShare,
     late_before_early,
-    overlap,
     sequences,
 )
-from prospect_mj.experiment.estimate import Estimate, share
-from prospect_mj.experiment.paper.measures.bootstrap import (
-    RESAMPLES,
-    Interval,
-    interval,
-)
+from prospect_mj.experiment.estimate import Estimate
+from prospect_mj.experiment.paper.measures.bootstrap import RESAMPLES, Interval
 from prospect_mj.experiment.populations.population import Population
-
-ABRUPT = 10
-"""Difficult trials in which an abrupt change is done: a window of a sequence."""
-
-
-@dataclass(frozen=True)
-class Changes:
-    """How abruptly late corrections give way to early ones [difficult trials].
-
-    See `measures.sequences.overlap`.
-    """
-
-    of_runs: Interval
-    """The median over the runs that have both."""
-    of_all: float
-    """In all runs together."""
-    abrupt: Estimate
-    """Share of the runs with both in which they overlap in less than `ABRUPT` [1]."""
 
 
 @dataclass(frozen=True)
@@ -81,19 +59,7 @@ class Findings:
             order(development),
             tuple(sequences(population)),
             late_before_early(population),
-            _changes(population, rng, n),
+            Changes.of(population, rng, n),
             tuple(ages(development)),
             in_order(development),
         )
-
-
-def _changes(population: Population, rng: np.random.Generator, n: int) -> Changes:
-    found = overlap(population)
-    widths = found.of_runs
-    if not len(widths):
-        nothing = Estimate(np.nan, np.nan, np.nan)
-        return Changes(Interval(*[np.nan] * 3, 1.0), np.nan, nothing)
-    drawn = rng.integers(len(widths), size=(n, len(widths)))
-    median = interval(float(np.median(widths)), np.median(widths[drawn], axis=1))
-    abrupt = share(int((widths < ABRUPT).sum()), len(widths))
-    return Changes(median, found.of_all, abrupt)

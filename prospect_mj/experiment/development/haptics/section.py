@@ -16,9 +16,9 @@ from prospect_mj.experiment.paper.measures.quantity import Kind, number, with_in
 from prospect_mj.experiment.paper.report.markdown import table
 
 PORTRAITS, SEPARATION, STRATEGIES = (
-    "haptics_portraits.png",
-    "haptics_separation.png",
-    "haptics_strategies.png",
+    "figures/haptics_portraits.png",
+    "figures/haptics_separation.png",
+    "figures/haptics_strategies.png",
 )
 """The pictures, beside the report."""
 

@@ -1,8 +1,13 @@
-"""The measures of development, each defined once; `MEASURES` has them all.
+"""The measures of development, each defined once; `MEASURES` has those of tables.
 
 All of them are of the trials after the pretraining, in blocks of ten. Difficult trials
 are those in which the lid lies away from the dominant hand, the others are easy.
 Corrections are late and early ones.
+
+The largest or smallest share of many blocks is too large or too small by chance, and
+its resamples are so once more (see `paper.measures.bootstrap`): where all blocks are
+alike, its interval may leave it out. For the worst block of easy trials that errs on
+the side of denying what is claimed.
 """
 
 import numpy as np
@@ -19,11 +24,14 @@ from prospect_mj.experiment.paper.measures.curves import LONG, Curves, mean_of_s
 from prospect_mj.experiment.paper.measures.measure import measure
 from prospect_mj.experiment.paper.measures.quantity import Kind
 from prospect_mj.experiment.populations.strategies import Strategy
+from prospect_mj.experiment.run.learning_curve import BLOCK
 
 GONE = 0.10
 """Share of difficult trials at or below which a correction counts as gone."""
 BEGINNING = 5
 """Blocks of the beginning."""
+PREVAILING = 0.5
+"""Share of difficult trials above which a strategy prevails."""
 
 
 @measure(
@@ -74,7 +82,8 @@ def early_lead(curves: Curves) -> Floats:
 @measure(
     Kind.SHARE,
     "Largest share of late corrections",
-    "The largest share of late corrections in the difficult trials of a block.",
+    "The largest share of late corrections in the difficult trials of a block; as the "
+    "largest of many it errs to the high side, and its interval more so.",
 )
 def late_most(curves: Curves) -> Floats:
     """(b,) [1]."""
@@ -84,7 +93,8 @@ def late_most(curves: Curves) -> Floats:
 @measure(
     Kind.SHARE,
     "Largest share of early corrections",
-    "The largest share of early corrections in the difficult trials of a block.",
+    "The largest share of early corrections in the difficult trials of a block; as the "
+    "largest of many it errs to the high side, and its interval more so.",
 )
 def early_most(curves: Curves) -> Floats:
     """(b,) [1]."""
@@ -117,7 +127,8 @@ def optimal_last(curves: Curves) -> Floats:
 @measure(
     Kind.SHARE,
     "Worst block of easy trials",
-    "The smallest share of the optimal strategy in the easy trials of a block.",
+    "The smallest share of the optimal strategy in the easy trials of a block; as the "
+    "smallest of many it errs to the low side, and its interval more so.",
 )
 def easy_worst(curves: Curves) -> Floats:
     """(b,) [1]."""
@@ -140,11 +151,24 @@ MEASURES = (
 _EARLY_AND_LATE = Strategy.EARLY, Strategy.LATE
 
 
+@measure(
+    Kind.TRIAL,
+    "Late corrections alone",
+    "Blocks in which late corrections are more than a half of the difficult trials, "
+    "before the first one in which early ones are more than 10 %.",
+)
+def late_alone(curves: Curves) -> Floats:
+    """(b,) [trials]. Claims ask for it; it is in no table."""
+    early, late = (difficult(curves, kind) for kind in _EARLY_AND_LATE)
+    before = ~np.logical_or.accumulate(early > GONE, axis=1)
+    return BLOCK * ((late > PREVAILING) & before).sum(axis=1).astype(np.float64)
+
+
 def order(development: Development) -> float:
     """Share of the resamples in which late corrections are gone before early ones [1].
 
-    Where either never was above the level, or is so to the end, there is no order:
-    that one is not counted.
+    Both must have been above the level once, and late ones must be gone; early ones
+    that are above it to the end outlast them.
     """
     late, early = (gone(development.resampled) for gone in (late_gone, early_gone))
     return float(np.mean((late < early) & np.isfinite(late)))

@@ -1,4 +1,4 @@
-"""What single runs do: the strategies that prevail one after the other, and changes."""
+"""What single runs do: the strategies that prevail one after the other."""
 
 from collections import Counter
 from typing import NamedTuple
@@ -72,34 +72,3 @@ def _late_is_first(strategies: NDArray[np.int8]) -> bool:
         np.flatnonzero(strategies == kind) for kind in (Strategy.LATE, Strategy.EARLY)
     )
     return bool(len(late) and len(early) and np.median(late) < np.median(early))
-
-
-class Overlap(NamedTuple):
-    """How long late and early corrections are there side by side [difficult trials]."""
-
-    of_runs: NDArray[np.float64]
-    """(r,): in each run that has both."""
-    of_all: float
-    """In all runs together."""
-
-
-def overlap(population: Population) -> Overlap:
-    """Difficult trials from the tenth percentile of early ones to the 90th of late.
-
-    An abrupt change from the one to the other has none, and less than none where there
-    is something else in between. The percentiles leave strays of exploration out.
-    """
-    runs = difficult_trials(population)
-    places = [
-        [np.flatnonzero(run == kind) for kind in (Strategy.LATE, Strategy.EARLY)]
-        for run in runs
-    ]
-    both = [pair for pair in places if all(map(len, pair))]
-    if not both:
-        return Overlap(np.empty(0), np.nan)
-    pooled = [np.concatenate(kind) for kind in zip(*both, strict=True)]
-    return Overlap(np.array([_overlap(*pair) for pair in both]), _overlap(*pooled))
-
-
-def _overlap(late: NDArray[np.intp], early: NDArray[np.intp]) -> float:
-    return float(np.quantile(late, 0.9) - np.quantile(early, 0.1))

@@ -10,7 +10,7 @@ from prospect_mj.experiment.development.rivals.rivals import RivalResults
 from prospect_mj.experiment.estimate import Estimate
 from prospect_mj.experiment.paper.report.markdown import table
 
-FIGURE = "rivals.png"
+FIGURE = "figures/rivals.png"
 """Of the learning curves, beside the report."""
 
 _LEARNERS = """\

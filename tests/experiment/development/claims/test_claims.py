@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hand_made_runs import B, E, L, population
+from hand_made_runs import B, E, L, X, population
 
 from prospect_mj.experiment.development.claims.claims import (
     AS_PAPER,
@@ -15,6 +15,7 @@ from prospect_mj.experiment.development.claims.claims import (
 )
 from prospect_mj.experiment.development.claims.criteria import LIKE_INFANTS, by_share
 from prospect_mj.experiment.development.claims.findings import Findings
+from prospect_mj.experiment.development.claims.single_runs import SINGLE_RUNS
 from prospect_mj.experiment.paper.measures.target import Verdict
 
 INFANT = [[L] * 5] * 5 + [[E] * 5] * 6 + [[B] * 5] * 20
@@ -42,6 +43,7 @@ def test_a_population_like_infants_meets_all_criteria():
     assert "late 50, early 110; 100.0 % of the resamples" in {
         one.words for one in judged.values()
     }
+    assert judged["corrections dominate"].words == "110 (110 to 110) trials"
 
 
 @pytest.mark.parametrize(
@@ -89,6 +91,15 @@ def test_single_learners_change_abruptly_or_do_not():
     assert said(verdicts({CONJECTURED: findings(MIXED)}), "abruptly") is Verdict.FAILS
 
 
+def test_single_learners_go_the_same_way_or_the_opposite_one():
+    words = "go the same way"
+    assert said(verdicts({CONJECTURED: findings(INFANT)}), words) is Verdict.HOLDS
+    found = verdicts({CONJECTURED: findings(EARLY_FIRST)})
+    assert said(found, words) is Verdict.FAILS
+    half = findings(INFANT, EARLY_FIRST)
+    assert said(verdicts({CONJECTURED: half}), words) is Verdict.OPEN
+
+
 def test_learners_that_differ_are_mixed_in_their_mean_alone():
     runs = [[[L] * 5] * n + [[E] * 5] * 6 + [[B] * 5] * (25 - n) for n in range(2, 12)]
     assert between_learners(findings(*runs)).verdict is Verdict.HOLDS
@@ -102,9 +113,32 @@ def test_a_phase_of_late_ones_alone_must_come_first():
     assert said(found, "alone") is Verdict.FAILS
 
 
+def test_nothing_is_said_of_others_where_there_are_none():
+    found = verdicts({CONJECTURED: findings(INFANT)})
+    assert not [words for words in found if "not necessary" in words]
+    assert claims({}) == []
+
+
+def test_single_runs_of_all_learners_are_asked_the_same():
+    like, unlike = Row("replay", "suppressed"), Row("linear", "suppressed")
+    rows = {CONJECTURED: findings(INFANT), like: findings(INFANT)}
+    rows[unlike] = findings(MIXED)
+    (claim,) = (one for one in claims(rows) if "abruptly" in one.words)
+    assert claim.evidence.endswith("it also holds for: replay, suppressed")
+    judged = asked(rows, SINGLE_RUNS)
+    assert judged[like] == judged[CONJECTURED]
+    assert judged[unlike]["abrupt, run by run"].verdict is Verdict.FAILS
+
+
+def test_time_outs_with_some_late_corrections_are_no_phase_of_late_ones():
+    few = [[X, X, X, X, L]] * 6 + [[E] * 5] * 5 + [[B] * 5] * 20
+    found = verdicts({CONJECTURED: findings(few)})
+    assert said(found, "alone") is Verdict.FAILS
+
+
 def test_runs_without_corrections_change_from_nothing_to_nothing():
     found = findings(AT_ONCE)
-    assert np.isnan(found.changes.of_all)
+    assert found.changes.n_runs == 0
     assert found.late_first.estimate == 0.0
     assert said(verdicts({CONJECTURED: found}), "abruptly") is Verdict.OPEN
 

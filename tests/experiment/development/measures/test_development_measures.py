@@ -6,7 +6,12 @@ from hand_made_runs import B, E, L, X, population
 from hypothesis import given
 from hypothesis import strategies as st
 
-from prospect_mj.experiment.development.measures import ages, sequences, stretches
+from prospect_mj.experiment.development.measures import (
+    ages,
+    changes,
+    sequences,
+    stretches,
+)
 from prospect_mj.experiment.development.measures.development import Development
 from prospect_mj.experiment.development.measures.measures import (
     MEASURES,
@@ -14,6 +19,7 @@ from prospect_mj.experiment.development.measures.measures import (
     early_gone,
     early_lead,
     easy_worst,
+    late_alone,
     late_gone,
     optimal_last,
     order,
@@ -149,12 +155,57 @@ def test_median_corrections_tell_the_order_of_a_run():
     assert found.estimate == 0.5
 
 
+def changed(runs):
+    return changes.Changes.of(population(runs), np.random.default_rng(2), 200)
+
+
+def mixed_for(n, before, after):
+    """Late, then late and early in turn for n trials, then early, then optimal."""
+    trials = [L] * before + [L, E] * (n // 2) + [E] * after
+    return np.reshape(trials + [B] * (300 - len(trials)), (60, 5))
+
+
 def test_abrupt_runs_make_a_gradual_mean():
     """Each run changes at once, but not all at the same time."""
     runs = [[[L] * 5] * n + [[E] * 5] * (12 - n) for n in range(2, 11)]
-    found = sequences.overlap(population(runs))
-    assert (found.of_runs < 0).all()
-    assert found.of_all > 10
+    found = changed(runs)
+    assert found.own == (0.0, 0.0, 0.0, 0.0)
+    assert found.abrupt.estimate == 1.0
+    # At the median change, after six blocks, the runs are 0 to 4 blocks away from it.
+    assert found.common.estimate == pytest.approx(5 * (2 * (1 + 2 + 3 + 4)) / 9)
+    assert found.common.low > changes.ABRUPT
+
+
+@pytest.mark.parametrize(("before", "after"), [(20, 20), (40, 60), (60, 200)])
+def test_how_long_a_stage_lasts_makes_no_change_abrupt(before, after):
+    """Of n trials in turn half are on the wrong side, but for one."""
+    found = [changed([mixed_for(n, before, after)] * 3).own for n in (10, 20, 40)]
+    assert [one.estimate for one in found] == [4, 9, 19]
+
+
+def test_the_other_order_is_no_abrupt_change_from_late_to_early():
+    found = changed([[[E] * 5] * 6 + [[L] * 5] * 4 + [[B] * 5] * 6])
+    assert found.own.estimate == 20
+    assert found.abrupt.estimate == 0.0
+
+
+def test_a_few_strays_make_no_change():
+    found = changed([[[L] * 5] * 6 + [[E, B, B, B, B]] * 9])
+    assert found.n_runs == 0
+    assert np.isnan(found.own.estimate)
+
+
+@given(st.lists(st.sampled_from([B, E, L, X]), min_size=1, max_size=30))
+def test_misplaced_corrections_are_those_of_plain_counting(trials):
+    (found,) = changes.misplaced(np.array([trials], np.int8))
+    for n in range(len(trials) + 1):
+        assert found[n] == trials[:n].count(E) + trials[n:].count(L)
+
+
+def test_late_ones_alone_are_counted_until_early_ones_come():
+    blocks = [[X] * 5, [L] * 5, [L, L, L, B, B], [E] * 5, [L] * 5] + [[B] * 5] * 5
+    assert late_alone(developed([blocks]).mean)[0] == 20
+    assert late_alone(developed([[[L, L, E, B, B]] * 6]).mean)[0] == 0
 
 
 def test_ages_are_found_where_they_are():

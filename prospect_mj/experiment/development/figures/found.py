@@ -1,0 +1,132 @@
+"""What was discovered: grey levels over histograms, and back on the jar's picture."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from prospect_mj.agent.features import N_BINS
+from prospect_mj.experiment.development.figures.grid import name, tidy
+from prospect_mj.experiment.development.study.found import Found, Range, Says
+from prospect_mj.experiment.development.study.pictures import NO_JAR, JarPicture
+from prospect_mj.experiment.paper.figures.figure_frame import (
+    BLUE,
+    INK,
+    SMALL,
+    VERMILION,
+)
+from prospect_mj.experiment.paper.measures.bootstrap import Floats
+from prospect_mj.experiment.run.plots import png
+
+_COLOURS = {"left": BLUE, "right": VERMILION}
+_BINS = np.arange(N_BINS)
+_MARK = np.array([[0, 114, 178], [213, 94, 0]])
+"""Blue and vermilion [grey levels], for the lid on the left and on the right."""
+_LEAST = 0.25
+"""Of the largest; levels that say less are not marked in pictures."""
+_PALE, _PAPER = 0.55, 250
+"""Contrast of the jar [1], and what stands for all else [grey levels]."""
+_SHOWN = ("insertion", "grasp")
+"""Contexts of the discovery learner that are drawn."""
+_OF = """\
+lines: mean histograms with the lid on the left (blue), on the right (vermilion); bars:
+what each grey level says to a learner, in the same colours; below: features of one run
+of the discovery learner, dashed what is taken off; right: the pixels of these levels"""
+
+
+def found(what: Found, pictures: Sequence[JarPicture]) -> bytes:
+    """Draw it.
+
+    Args:
+        what: was found.
+        pictures: of the jar, lid to the left and to the right.
+
+    Returns:
+        The picture as PNG.
+    """
+    says = [one for one in what.says if one.context in _SHOWN or _is_weighed(one)]
+    figure = Figure(figsize=(9.0, 1.0 + 1.9 * len(says)), dpi=150, layout="constrained")
+    height = figure.get_figheight()
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - 0.95 / height))
+    style = {"ha": "left", "va": "top"}
+    title = {"fontsize": 12, "fontweight": "bold"}
+    figure.text(0.01, 1 - 0.06 / height, "What the learners go by", **style, **title)
+    line = {"fontsize": SMALL, "color": INK, "linespacing": 1.4}
+    figure.text(0.01, 1 - 0.32 / height, _OF, **style, **line)
+    ratios = [2.4, *(1 for _ in pictures)]
+    axes = figure.subplots(len(says), len(ratios), squeeze=False, width_ratios=ratios)
+    for row, one in zip(axes, says, strict=True):
+        ranges = [r for r in what.example if r.context == one.context]
+        _draw_levels(row[0], what, one, [] if _is_weighed(one) else ranges)
+        for panel, picture in zip(row[1:], pictures, strict=True):
+            _draw_jar(panel, picture, one.levels)
+    axes[-1, 0].set_xlabel("grey level, from dark to bright")
+    for panel, picture in zip(axes[0, 1:], pictures, strict=True):
+        name(panel, f"lid {picture.orientation}")
+    return png(figure)
+
+
+def marked(picture: JarPicture, levels: Floats) -> np.ndarray:
+    """The picture in pale grey, pixels of levels that say something in their colour.
+
+    Args:
+        picture: of the jar.
+        levels: (100,), what each says; see `study.found`.
+
+    Returns:
+        (rows, columns, 3) RGB [grey levels].
+    """
+    grey = picture.image.mean(axis=2, keepdims=True)
+    pale = np.repeat(255 - _PALE * (255 - grey), 3, axis=2)
+    strength = levels / max(np.abs(levels).max(), np.finfo(float).tiny)
+    of_pixel = np.append(strength, 0.0)[picture.level]
+    outside = picture.level == NO_JAR
+    of_pixel[outside], pale[outside] = 0.0, _PAPER
+    weight = np.where(np.abs(of_pixel) < _LEAST, 0.0, np.abs(of_pixel))[..., None]
+    colour = _MARK[(of_pixel < 0).astype(int)]
+    return ((1 - weight) * pale + weight * colour).astype(np.uint8)
+
+
+def _is_weighed(one: Says) -> bool:
+    return one.learner != "discovery"
+
+
+def _draw_levels(axes: Axes, what: Found, one: Says, ranges: Sequence[Range]) -> None:
+    tidy(axes)
+    name(axes, f"{one.learner}: {one.context}, {one.runs} runs")
+    highest = 1.15 * max(v.max() for v in what.v.values())
+    # One scale for all: what is said most reaches half as high as the histograms.
+    scale = 0.5 * highest / max(np.abs(one.levels).max(), np.finfo(float).tiny)
+    colours = np.where(one.levels > 0, _COLOURS["left"], _COLOURS["right"])
+    axes.bar(_BINS, scale * np.abs(one.levels), width=1, color=colours, alpha=0.35)
+    for side, v in what.v.items():
+        axes.step(_BINS, v, where="mid", color=_COLOURS[side], linewidth=1.1)
+    for row, each in enumerate(ranges):
+        _draw_range(axes, each, -0.06 * highest * (row + 1), what)
+    axes.set_xlim(-0.5, N_BINS - 0.5)
+    axes.set_ylim(-0.06 * highest * (len(ranges) + 0.8), highest)
+    axes.set_yticks([])
+    axes.spines["left"].set_visible(False)
+
+
+def _draw_range(axes: Axes, one: Range, height: float, what: Found) -> None:
+    """A feature as a line below the histograms, dashed where it is taken off."""
+    difference = what.v["left"] - what.v["right"]
+    more = difference[one.begin : one.end].sum()
+    less = difference[one.less_begin : one.less_end].sum()
+    left = more > less
+    for begin, end, says_left, dashed in (
+        (one.begin, one.end, left, False),
+        (one.less_begin, one.less_end, not left, True),
+    ):
+        if begin < end:
+            colour = _COLOURS["left" if says_left else "right"]
+            style = (0, (1, 0.6)) if dashed else "-"
+            ends = [begin - 0.5, end - 0.5]
+            axes.plot(ends, [height] * 2, color=colour, linewidth=3, linestyle=style)
+
+
+def _draw_jar(axes: Axes, picture: JarPicture, levels: Floats) -> None:
+    axes.imshow(marked(picture, levels), interpolation="nearest")
+    axes.set_axis_off()

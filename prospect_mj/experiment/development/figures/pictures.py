@@ -1,0 +1,150 @@
+"""Which figures the study has, by the name of their file."""
+
+from collections.abc import Iterator
+from functools import partial
+
+from prospect_mj.experiment.development.figures import (
+    crossed,
+    found,
+    intervals,
+    shares,
+    single_runs,
+)
+from prospect_mj.experiment.development.figures.shares import Panel
+from prospect_mj.experiment.development.haptics import figure as haptics
+from prospect_mj.experiment.development.haptics.haptics import HapticResults
+from prospect_mj.experiment.development.haptics.section import (
+    PORTRAITS,
+    SEPARATION,
+    STRATEGIES,
+)
+from prospect_mj.experiment.development.rivals.figure import learning_curves
+from prospect_mj.experiment.development.rivals.section import FIGURE
+from prospect_mj.experiment.development.study import causal, learners
+from prospect_mj.experiment.development.study.pictures import jar_pictures
+from prospect_mj.experiment.development.study.results import Results
+from prospect_mj.recording.recording import Recording
+
+_BANDS = "share of each strategy in sets of ten trials; shade: 95 % band over runs"
+_DOTTED = "dotted: optimal ones of the easy trials"
+
+
+def pictures(results: Results, recording: Recording) -> Iterator[tuple[str, bytes]]:
+    """The figures of the parts that were made, each with its name.
+
+    Args:
+        results: of the study.
+        recording: of the standard world, for pictures of the jar.
+    """
+    if results.learners:
+        yield "strategies", _strategies(results)
+        kept = {one.row.name: one.population for one in results.singles}
+        yield "sequences", single_runs.single_runs(kept)
+    if results.causal:
+        yield from _causal(results)
+    if results.population:
+        yield "population", _population(results)
+    if results.worlds:
+        yield "worlds", _worlds(results)
+    if results.change:
+        yield "change", _change(results)
+    if results.found is not None:
+        yield "found", found.found(results.found, jar_pictures(recording))
+    if results.haptics is not None:
+        yield from _haptics(results.haptics)
+    if results.rivals is not None:
+        rivals = results.rivals
+        yield _stem(FIGURE), learning_curves(rivals.curves, rivals.settings)
+
+
+def _strategies(results: Results) -> bytes:
+    rows = {(one.row.name, one.row.rule): one for one in results.learners}
+    panels = [
+        [
+            Panel(f"{name}, {rule}", rows[name, rule].development)
+            for rule in ("allowed", "suppressed")
+        ]
+        for name in learners.LEARNERS
+    ]
+    of = f"{_BANDS}; {_DOTTED}\nleft: failed actions allowed; right: suppressed"
+    return shares.shares("Strategies in difficult trials", of, panels)
+
+
+def _causal(results: Results) -> Iterator[tuple[str, bytes]]:
+    rows = {one.row.name: one for one in results.causal}
+    singles = {
+        one.name: rows[one.name].measured for one in causal.single(results.settings)
+    }
+    of = "the discovery learner with one thing changed; dots: all runs, lines: 95 %"
+    yield "causal", intervals.intervals("What makes the order", of, singles)
+    of = (
+        "trials until late (vermilion) and early corrections (green) are gone, "
+        "triangle: never; bars: for how\nlong early ones lead; late first: in 95 % of "
+        "the resamples"
+    )
+    title = "Order of the splits, re-estimation and inertia"
+    yield (
+        "causal_splits",
+        crossed.crossed(
+            title,
+            of,
+            tuple(causal.ORDERS),
+            causal.VALUES,
+            causal.RATES,
+            lambda order, values, rate: rows[causal.forced_name(order, values, rate)],
+        ),
+    )
+    kinds = {f"{a}, {b}": (a, b) for a in causal.LABELS for b in causal.CACHES}
+    yield (
+        "causal_labels",
+        crossed.crossed(
+            "Labels, re-estimation and inertia",
+            of,
+            tuple(kinds),
+            causal.VALUES,
+            causal.RATES[:3],
+            lambda kind, values, rate: rows[
+                causal.labelled_name(*kinds[kind], values, rate)
+            ],
+        ),
+    )
+
+
+def _population(results: Results) -> bytes:
+    panels = [[Panel(one.row.name, one.development) for one in results.population]]
+    title = "Populations of learners that differ: difficult trials"
+    return shares.shares(title, f"{_BANDS}; {_DOTTED}", panels)
+
+
+def _worlds(results: Results) -> bytes:
+    rows = {
+        f"{one.row.world}, {one.row.name}": one.measured.measured
+        for one in results.worlds
+    }
+    of = "failed actions suppressed; dots: all runs, lines: 95 % intervals"
+    return intervals.intervals("Worlds that look unlike each other", of, rows)
+
+
+def _change(results: Results) -> bytes:
+    rows = {(one.row.then, one.row.name): one.development for one in results.change}
+    draw = partial(Panel, beside=False)
+    panels = [
+        [
+            draw(f"{name}, {world}: formerly {trials}", rows[world, name], trials)
+            for world in results.extent.changes
+            for trials in ("difficult", "easy")
+        ]
+        for name in learners.LEARNERS
+    ]
+    title = "After the world has changed"
+    return shares.shares(title, _BANDS, panels, "trial after the change")
+
+
+def _haptics(results: HapticResults) -> Iterator[tuple[str, bytes]]:
+    yield _stem(PORTRAITS), haptics.portraits(results.grasps, results.models)
+    yield _stem(SEPARATION), haptics.separation(results.told)
+    yield _stem(STRATEGIES), haptics.strategies(results.effect.shares)
+
+
+def _stem(path: str) -> str:
+    return path.rpartition("/")[2].removesuffix(".png")

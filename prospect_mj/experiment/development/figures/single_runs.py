@@ -1,0 +1,93 @@
+"""Single runs: which strategy prevails in each window of their difficult trials."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from prospect_mj.experiment.development.figures.grid import (
+    COLOURS,
+    Size,
+    grid,
+    name,
+)
+from prospect_mj.experiment.development.measures.sequences import (
+    WINDOW,
+    difficult_trials,
+)
+from prospect_mj.experiment.paper.figures.figure_frame import SMALL
+from prospect_mj.experiment.populations.population import Population
+from prospect_mj.experiment.populations.strategies import Strategy
+from prospect_mj.experiment.run.plots import png
+
+RUNS = 40
+"""That are drawn of each learner."""
+
+_OF = """\
+each row a run, each cell ten of its difficult trials; failed actions suppressed
+colour: the strategy that prevails in them:"""
+_PLACES = (0.345, 0.395, 0.45, 0.53)
+"""Of the names of the colours, behind these words."""
+_HEIGHT = 0.885
+
+
+def single_runs(populations: Mapping[str, Population]) -> bytes:
+    """Draw some runs of each learner, those that are optimal sooner above.
+
+    Args:
+        populations: of each learner, by its name.
+
+    Returns:
+        The picture as PNG.
+    """
+    size = Size(1, len(populations), 8.0, 4.6)
+    made = grid("What prevails in single runs", _OF, size)
+    colours = [COLOURS[kind] for kind in Strategy]
+    for axes, (learner, population) in zip(
+        made.axes.flat, populations.items(), strict=True
+    ):
+        cells = prevailing_cells(population)
+        axes.imshow(
+            cells,
+            cmap=ListedColormap(colours),
+            vmin=-0.5,
+            vmax=len(colours) - 0.5,
+            aspect="auto",
+            interpolation="nearest",
+            extent=(0, WINDOW * cells.shape[1], len(cells), 0),
+        )
+        axes.grid(visible=False)
+        axes.set_yticks([])
+        axes.set_xlabel("difficult trial")
+        name(axes, learner)
+    made.axes[0, 0].set_ylabel("run")
+    _key(made.figure)
+    return png(made.figure)
+
+
+def prevailing_cells(population: Population) -> NDArray[np.int64]:
+    """The strategy that prevails in each window of some runs.
+
+    Returns:
+        (runs, windows): numbers of `Strategy`, as far as all runs have trials; the run
+        that is optimal first comes first.
+    """
+    runs = [_cells(run) for run in difficult_trials(population)[:RUNS]]
+    cells = np.array([run[: min(map(len, runs))] for run in runs])
+    is_optimal = cells == Strategy.OPTIMAL
+    first = np.where(is_optimal.any(axis=1), is_optimal.argmax(axis=1), cells.shape[1])
+    return cells[np.argsort(first, kind="stable")]
+
+
+def _cells(strategies: NDArray[np.int8]) -> list[int]:
+    windows = strategies[: len(strategies) // WINDOW * WINDOW].reshape(-1, WINDOW)
+    return [int(np.bincount(w, minlength=len(Strategy)).argmax()) for w in windows]
+
+
+def _key(figure: Figure) -> None:
+    """The colours' names, each in its own."""
+    for place, (kind, colour) in zip(_PLACES, COLOURS.items(), strict=True):
+        style = {"color": colour, "fontweight": "bold", "fontsize": SMALL}
+        figure.text(place, _HEIGHT, kind.name.lower(), va="top", **style)

@@ -1,0 +1,133 @@
+"""Learners that differ, worlds that differ, a world that changes, what was found."""
+
+from collections.abc import Iterator
+
+from prospect_mj.agent.features import N_BINS
+from prospect_mj.experiment.development.measures.measures import MEASURES
+from prospect_mj.experiment.development.report.cells import BRIEF, measured_table
+from prospect_mj.experiment.development.report.command import command
+from prospect_mj.experiment.development.report.learners import stages
+from prospect_mj.experiment.development.study.after import (
+    again,
+    difficult_errors,
+    easy_errors,
+    easy_last,
+)
+from prospect_mj.experiment.development.study.found import MOST_RUNS
+from prospect_mj.experiment.development.study.population import SPREADS
+from prospect_mj.experiment.development.study.results import Results
+from prospect_mj.experiment.development.study.world_rows import AFTER
+from prospect_mj.experiment.paper.report.markdown import definitions, table
+from prospect_mj.experiment.populations.spread import Spread
+
+_OWN = (again, easy_errors, difficult_errors, easy_last)
+
+_POPULATION = """\
+Children differ, so each learner draws its own parameters here: {spreads}. Failed
+actions are suppressed.
+"""
+
+_WORLDS = """\
+Recordings of worlds that look unlike each other (`docs/worlds.md` tells what
+they are). *Between*: cosine of the mean histograms of both orientations; *within*: of
+two pictures of the same one; *noise*: of a bin, relative to its mean.
+"""
+
+_CHANGE = """\
+After the 1000 trials the standard world becomes another one, the same learner going on
+for {trials} trials: *post*, where the lid must go down, so that the other end is the
+right one to be held; *lamp-right*, where the same is right as before, and looks
+different. Easy and difficult trials are those of before; a correction is one by what is
+right now. All counts begin at the change; failed actions are suppressed.
+"""
+
+_FOUND = """\
+Grey levels that the learners go by, of {runs} runs at most: features of the discovery
+learner, signed so that blue speaks for the lid on the left, laid over the mean
+histograms; weights of the linear learners, and the pixels of those levels in a picture
+of the jar. A level is a hundredth of the range from its darkest to its brightest pixel.
+"""
+
+
+def spread(results: Results) -> Iterator[str]:
+    """The population of learners that differ, a piece at a time."""
+    told = "; ".join(
+        f"*{name}*: {', '.join(map(_range, spreads))}"
+        for name, spreads in SPREADS.items()
+    )
+    yield "## A population of learners that differ"
+    yield _POPULATION.format(spreads=told).rstrip()
+    yield "![Strategies in populations that differ](figures/population.png)"
+    rows = [((one.row.name,), one.measured) for one in results.population]
+    yield measured_table(("learner",), rows, MEASURES)
+    yield stages(results.population)
+    yield command(results, "population")
+
+
+def worlds(results: Results) -> Iterator[str]:
+    """Worlds that look unlike each other, a piece at a time."""
+    yield "## Worlds that look unlike each other"
+    yield _WORLDS.rstrip()
+    head = ("world", "pictures", "between", "within", "noise")
+    yield table(
+        head,
+        [
+            (
+                row["world"],
+                str(row["pictures"]),
+                *(f"{row[name]:.2f}" for name in head[2:]),
+            )
+            for row in results.looks.to_pylist()
+        ],
+    )
+    yield "![Corrections by world](figures/worlds.png)"
+    rows = [((one.row.world, one.row.name), one.measured) for one in results.worlds]
+    yield measured_table(("world", "learner"), rows, MEASURES)
+    yield command(results, "worlds")
+
+
+def change(results: Results) -> Iterator[str]:
+    """A world that changes, a piece at a time."""
+    yield "## A world that changes"
+    yield _CHANGE.format(trials=AFTER).rstrip()
+    yield "![Strategies after the change](figures/change.png)"
+    rows = [((one.row.then, one.row.name), one.measured) for one in results.change]
+    yield measured_table(("change to", "learner"), rows, (*_OWN, *BRIEF))
+    yield definitions(_OWN)
+    yield command(results, "change")
+
+
+def found(results: Results) -> Iterator[str]:
+    """What the learners discovered, a piece at a time."""
+    yield "## What was discovered"
+    yield _FOUND.format(runs=MOST_RUNS).rstrip()
+    yield "![Grey levels that the learners go by](figures/found.png)"
+    yield (
+        "Features of the first run, as ranges of the "
+        f"{N_BINS} levels from dark to bright:"
+    )
+    head = ("context", "level or range", "less", "cut-point")
+    yield table(
+        head,
+        [
+            (
+                one.context,
+                _levels(one.begin, one.end),
+                _levels(one.less_begin, one.less_end),
+                f"{one.cut:.3f}",
+            )
+            for one in results.found.example
+        ],
+    )
+    yield command(results, "found")
+
+
+def _levels(begin: int, end: int) -> str:
+    if begin >= end:
+        return "-"
+    return str(begin) if end == begin + 1 else f"{begin} to {end - 1}"
+
+
+def _range(one: Spread) -> str:
+    how = " log-uniform" if one.logarithmic else ""
+    return f"{one.parameter.replace('_', ' ')}{how} {one.low:g} to {one.high:g}"

@@ -1,0 +1,115 @@
+"""Every learner under both rules: measures, criteria, stages, single runs."""
+
+from collections.abc import Iterator
+from math import isnan
+
+from prospect_mj.experiment.development.claims.claims import (
+    asked,
+    developing,
+)
+from prospect_mj.experiment.development.claims.criteria import LIKE_INFANTS
+from prospect_mj.experiment.development.claims.findings import Findings
+from prospect_mj.experiment.development.measures.ages import AGES, Found
+from prospect_mj.experiment.development.measures.measures import MEASURES
+from prospect_mj.experiment.development.report.cells import measured_table, order
+from prospect_mj.experiment.development.report.command import command
+from prospect_mj.experiment.development.report.opening import by_row
+from prospect_mj.experiment.development.study.measured import Told, words
+from prospect_mj.experiment.development.study.results import Results
+from prospect_mj.experiment.paper.report.markdown import definitions, table
+
+_MOST_SEQUENCES = 3
+
+_SCENARIO = """\
+1000 trials of recorded physics, the first 400 with the lid on the right: pretraining,
+which makes the right hand dominant. Difficult trials are those after it with the lid
+on the left. *Gone* counts from the end of the pretraining; *none*: the share was never
+above 10 %; *never*: it is still above at the end. *Allowed* and *suppressed*: whether
+an action that just had no effect may be run again in the same trial. All learners were
+asked the same; controls are in the same tables.
+"""
+
+_STAGES = """\
+What infants do is told by the paper in words only (sections 2 and 3.2, after McCarty,
+Clifton and Collard 1999), so that only the order is compared, and trials are no ages.
+Each pattern is looked for in windows of twenty trials: {rules}. In brackets: the share
+of the resamples that have such a window. *In order*: the share in which the first
+windows of all three come one after the other.
+"""
+
+
+def learners(results: Results) -> Iterator[str]:
+    """The section, a piece at a time."""
+    rows = results.learners
+    yield "## Every learner under both rules"
+    yield _SCENARIO.rstrip()
+    yield "![Strategies of the four learners](figures/strategies.png)"
+    for rule in ("allowed", "suppressed"):
+        of_rule = [one for one in rows if one.row.rule == rule]
+        yield f"### Failed actions {rule}"
+        named = [((one.row.name,), one.measured) for one in of_rule]
+        yield measured_table(("learner",), named, MEASURES)
+    yield definitions(MEASURES)
+    yield "### Who develops as infants do"
+    yield _criteria(results)
+    yield "### Stages beside those of infants"
+    rules = "; ".join(f"{age.months} months, {age.rule}" for age in AGES)
+    yield _STAGES.format(rules=rules).rstrip()
+    yield stages(rows)
+    yield "### Single runs"
+    yield (
+        "Strategies that prevail one after the other in windows of ten difficult "
+        "trials of a run, and the share of the runs with this sequence."
+    )
+    yield "![Single runs](figures/sequences.png)"
+    yield _sequences(rows)
+    yield command(results, "learners")
+
+
+def stages(rows: list[Told]) -> str:
+    """The table of stages of some rows, with what infants do in the first one."""
+    head = ("", *(f"like {age.months} months" for age in AGES), "in order")
+    infants = ("*infants*", *(age.infants for age in AGES), "yes")
+    lines = [(_title(one), *_stage_cells(one.findings)) for one in rows]
+    return table(head, [infants, *lines])
+
+
+def _title(one: Told) -> str:
+    return f"{one.row.name}, {one.row.rule}"
+
+
+def _stage_cells(findings: Findings) -> list[str]:
+    return [*map(_stage, findings.ages), order(findings.ages_in_order)]
+
+
+def _stage(found: Found) -> str:
+    share = f"{100 * found.resamples:.0f} %"
+    if isnan(found.first):
+        return f"none ({share})"
+    return f"{found.first:.0f} to {found.last:.0f} ({share})"
+
+
+def _criteria(results: Results) -> str:
+    rows = by_row(results.learners)
+    judged, verdicts = asked(rows, LIKE_INFANTS), developing(rows)
+    head = ("learner", "rule", *(one.name for one in LIKE_INFANTS), "all")
+    lines = [
+        (
+            row.learner,
+            row.rule,
+            *(one.verdict for one in judged[row].values()),
+            f"**{verdicts[row]}**",
+        )
+        for row in rows
+    ]
+    asked_for = "\n".join(f"- *{one.name}*: {one.words}" for one in LIKE_INFANTS)
+    return f"{table(head, lines)}\n\n{asked_for}"
+
+
+def _sequences(rows: list[Told]) -> str:
+    lines = []
+    for one in rows:
+        for found in one.findings.sequences[:_MOST_SEQUENCES]:
+            share = f"{found.share.words(0, 100)} %"
+            lines.append((_title(one), words(found.sequence), share))
+    return table(("learner", "sequence", "share of the runs"), lines)

@@ -1,0 +1,103 @@
+"""The report of the study, in Markdown."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from prospect_mj.experiment.development.haptics.section import section as haptics
+from prospect_mj.experiment.development.report.abstract import abstract
+from prospect_mj.experiment.development.report.causal import causal
+from prospect_mj.experiment.development.report.command import command
+from prospect_mj.experiment.development.report.elsewhere import (
+    change,
+    found,
+    spread,
+    worlds,
+)
+from prospect_mj.experiment.development.report.learners import learners
+from prospect_mj.experiment.development.report.opening import opening
+from prospect_mj.experiment.development.rivals.section import section as rivals
+from prospect_mj.experiment.development.study.results import Results
+from prospect_mj.experiment.paper.measures.bootstrap import LEVEL, RESAMPLES
+from prospect_mj.experiment.paper.report.markdown import table
+from prospect_mj.recording.key import RecordingKey
+
+_FEW = 20
+"""Runs; of fewer, percentile intervals are too narrow."""
+
+
+@dataclass(frozen=True)
+class Made:
+    """How the study was made."""
+
+    results: Results
+    keys: dict[str, RecordingKey]
+    """Of the recordings, by the name of their world."""
+
+
+def report(made: Made) -> str:
+    """Write the report."""
+    results = made.results
+    sections = {
+        "learners": learners,
+        "causal": causal,
+        "population": spread,
+        "worlds": worlds,
+        "change": change,
+        "found": found,
+        "haptics": _haptics,
+        "rivals": _rivals,
+    }
+    parts: list[Iterable[str]] = [_title(results), opening(results)]
+    parts += [
+        sections[part](results) for part in sections if part in results.extent.parts
+    ]
+    parts += [abstract(results), _how(made)]
+    return "\n\n".join(piece for part in parts for piece in part) + "\n"
+
+
+def _title(results: Results) -> Iterator[str]:
+    yield "# Development as in infants, on recorded physics"
+    fewest = min(results.settings.fewer_runs, results.settings.runs)
+    if fewest < _FEW:
+        yield (
+            f"A trial of the study: of as few runs as {fewest} intervals are too "
+            "narrow, and verdicts worth nothing."
+        )
+
+
+def _haptics(results: Results) -> Iterator[str]:
+    yield haptics(results.haptics).rstrip()
+    yield command(results, "haptics")
+
+
+def _rivals(results: Results) -> Iterator[str]:
+    yield rivals(results.rivals).rstrip()
+    yield command(results, "rivals")
+
+
+def _how(made: Made) -> Iterator[str]:
+    results, settings = made.results, made.results.settings
+    yield "## How it was made"
+    yield (
+        f"Learners and populations: {settings.runs} runs; causal tables, worlds and "
+        f"changes: {settings.fewer_runs} runs a row, whose intervals tell whether that "
+        "is enough. Equal seeds in all rows: run k sees the same in all of them. In "
+        f"brackets: {100 * LEVEL:.0f} % intervals, percentiles of {RESAMPLES} "
+        "resamples of the runs."
+    )
+    yield table(
+        ("world", "key of the recording", "seed"),
+        [
+            (world, key.digest[:16], str(key.config.seed))
+            for world, key in made.keys.items()
+        ],
+    )
+    seconds = {**results.seconds, "all parts": sum(results.seconds.values())}
+    yield table(
+        ("part", "wall time in this command [s]"),
+        [(part, f"{time:.0f}") for part, time in seconds.items()],
+    )
+    yield (
+        "All populations, in this command or an earlier one, learned in "
+        f"{results.learning_seconds:.0f} s of wall time."
+    )

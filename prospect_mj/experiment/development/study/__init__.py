@@ -1,0 +1,1 @@
+"""Which learners the study lets learn, from what, and where they are kept."""

@@ -1,0 +1,79 @@
+"""Lets the rows of the study learn, or reads what they did before."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from prospect_mj.experiment.development.study.recordings import Recordings
+from prospect_mj.experiment.development.study.rows import Row
+from prospect_mj.experiment.populations.population import Population
+from prospect_mj.experiment.populations.scenario import PopulationSettings, Scenario
+from prospect_mj.experiment.populations.store import Store
+from prospect_mj.experiment.populations.world import World
+
+FOLDER = "populations"
+"""Of what the learners did, in that of the study."""
+
+Tell = Callable[[str], object]
+
+
+class Laboratory:
+    """Where populations learn, and are kept.
+
+    Args:
+        folder: of the study.
+        recordings: of all worlds.
+        jobs: threads.
+        tell: takes a line when a population is there.
+
+    Attributes:
+        recordings: as given.
+        learning_seconds: wall time in which the populations learned that were asked
+            for, in this command or an earlier one [s].
+    """
+
+    def __init__(
+        self, folder: Path, recordings: Recordings, jobs: int, tell: Tell
+    ) -> None:
+        """Open the folder of populations.
+
+        Raises:
+            RunFolderError: if it can't be made.
+        """
+        self.recordings, self._jobs, self._tell = recordings, jobs, tell
+        self._folder = folder / FOLDER
+        self._stores = {
+            world: Store(self._folder, recording, jobs)
+            for world, recording in recordings.by_world.items()
+        }
+        self._others: list[Store] = []
+        self.learning_seconds = 0.0
+
+    def learned(self, row: Row) -> Population:
+        """The population of a row."""
+        then = None if row.then is None else self.recordings.by_world[row.then]
+        kept = self._stores[row.world].get(row.scenario, row.settings, then)
+        self.learning_seconds += kept.seconds
+        runs = len(kept.population.lid)
+        when = ", kept" if kept.earlier else ""
+        words = f"{row.part}: {row.title}: {runs} runs, {kept.seconds:.1f} s{when}"
+        self._tell(words)
+        return kept.population
+
+    def learned_in(
+        self, world: World, scenario: Scenario, settings: PopulationSettings
+    ) -> Population:
+        """A population in a world of its own, such as one with categories of grasps.
+
+        Whoever asks for it tells of it.
+        """
+        store = Store(self._folder, world, self._jobs)
+        self._others.append(store)
+        kept = store.get(scenario, settings)
+        self.learning_seconds += kept.seconds
+        return kept.population
+
+    def unused(self) -> list[Path]:
+        """Kept populations that nothing has asked for."""
+        stores = (*self._stores.values(), *self._others)
+        unused = [set(store.unused()) for store in stores]
+        return sorted(set.intersection(*unused))

@@ -1,0 +1,49 @@
+"""All that the study came to, part by part; None or empty where a part was left out."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import pyarrow as pa
+
+from prospect_mj.experiment.development.haptics.haptics import HapticResults
+from prospect_mj.experiment.development.rivals.rivals import RivalResults
+from prospect_mj.experiment.development.study.found import Found
+from prospect_mj.experiment.development.study.measured import Measured, Shown, Told
+from prospect_mj.experiment.development.study.rows import Row
+from prospect_mj.experiment.development.study.settings import Extent, StudySettings
+from prospect_mj.experiment.populations.population import Population
+
+
+class Single(NamedTuple):
+    """A row with the population itself, for what single runs do."""
+
+    row: Row
+    population: Population
+
+
+@dataclass
+class Results:
+    """Filled part by part."""
+
+    settings: StudySettings
+    extent: Extent
+    learners: list[Told] = field(default_factory=list)
+    """Every learner under both rules, controls among them."""
+    singles: list[Single] = field(default_factory=list)
+    """The four learners, failed actions being suppressed."""
+    causal: list[Measured] = field(default_factory=list)
+    population: list[Told] = field(default_factory=list)
+    """Spread populations."""
+    looks: pa.Table | None = None
+    """Under `looks.LOOKS`."""
+    worlds: list[Shown] = field(default_factory=list)
+    change: list[Shown] = field(default_factory=list)
+    """After the change."""
+    found: Found | None = None
+    haptics: HapticResults | None = None
+    rivals: RivalResults | None = None
+    seconds: Mapping[str, float] = field(default_factory=dict)
+    """Wall time of each part in this command [s]."""
+    learning_seconds: float = 0.0
+    """Wall time in which all populations learned, in this command or earlier [s]."""

@@ -1,0 +1,169 @@
+"""The study, part by part; what was made in an earlier command is read."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from time import perf_counter
+
+from prospect_mj.experiment.development.haptics import haptics
+from prospect_mj.experiment.development.haptics.settings import HapticSettings
+from prospect_mj.experiment.development.rivals import rivals
+from prospect_mj.experiment.development.rivals.settings import RivalSettings
+from prospect_mj.experiment.development.study import (
+    after,
+    causal,
+    found,
+    learners,
+    looks,
+    measured,
+    population,
+    world_rows,
+)
+from prospect_mj.experiment.development.study.learning import Laboratory, Tell
+from prospect_mj.experiment.development.study.measured import Shown
+from prospect_mj.experiment.development.study.recordings import Recordings
+from prospect_mj.experiment.development.study.results import Results, Single
+from prospect_mj.experiment.development.study.rows import Row
+from prospect_mj.experiment.development.study.settings import (
+    PARTS,
+    Extent,
+    Part,
+    StudySettings,
+)
+from prospect_mj.experiment.paper.measures.measure import Measure
+
+
+class Study:
+    """One study.
+
+    Args:
+        folder: where everything is kept.
+        settings: its size.
+        extent: which parts are made.
+        recordings: of the worlds that these need.
+        recording: folder of the standard world's recording; None is the one that comes
+            with the package.
+        jobs: threads, and processes of what needs them.
+        tell: takes a line for people now and then.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        settings: StudySettings,
+        extent: Extent,
+        recordings: Recordings,
+        recording: Path | None,
+        jobs: int,
+        tell: Tell,
+    ) -> None:
+        """Open the folder of populations."""
+        self._folder, self._settings, self._extent = folder, settings, extent
+        self._recordings, self._path = recordings, recording
+        self._jobs, self._tell = jobs, tell
+        self._laboratory = Laboratory(folder, recordings, jobs, tell)
+        self._results = Results(settings, extent)
+
+    def results(self) -> Results:
+        """Make all parts, or read them."""
+        made: dict[Part, Callable[[], None]] = {
+            "learners": self._learners,
+            "causal": self._causal,
+            "population": self._population,
+            "worlds": self._worlds,
+            "change": self._change,
+            "found": self._found,
+            "haptics": self._haptics,
+            "rivals": self._rivals,
+        }
+        seconds = {}
+        for part in PARTS:
+            if part in self._extent.parts:
+                began = perf_counter()
+                made[part]()
+                seconds[part] = perf_counter() - began
+                self._tell(f"{part}: {seconds[part]:.0f} s in all")
+        self._results.seconds = seconds
+        self._results.learning_seconds = self._laboratory.learning_seconds
+        return self._results
+
+    def unused(self) -> list[Path]:
+        """Kept populations that nothing has asked for."""
+        return self._laboratory.unused()
+
+    def _learners(self) -> None:
+        for number, row in enumerate(learners.rows(self._settings)):
+            learned = self._laboratory.learned(row)
+            rng = self._settings.rng(PARTS.index("learners"), number)
+            self._results.learners.append(measured.told(row, learned, rng))
+            if row.rule == "suppressed" and row.name in learners.LEARNERS:
+                self._results.singles.append(Single(row, learned))
+
+    def _causal(self) -> None:
+        rows = causal.rows(self._settings)
+        self._results.causal = [
+            self._shown(row, number).measured for number, row in enumerate(rows)
+        ]
+
+    def _population(self) -> None:
+        for number, row in enumerate(population.rows(self._settings)):
+            rng = self._settings.rng(PARTS.index("population"), number)
+            learned = self._laboratory.learned(row)
+            self._results.population.append(measured.told(row, learned, rng))
+
+    def _worlds(self) -> None:
+        names = self._extent.worlds
+        self._results.looks = looks.table(self._recordings, names)
+        rows = world_rows.worlds(self._settings, names)
+        self._results.worlds = [
+            self._shown(row, number) for number, row in enumerate(rows)
+        ]
+
+    def _change(self) -> None:
+        rows = world_rows.changes(self._settings, self._extent.changes)
+        self._results.change = [
+            self._shown(row, number, after.AFTER) for number, row in enumerate(rows)
+        ]
+
+    def _shown(
+        self, row: Row, number: int, measures: tuple[Measure, ...] | None = None
+    ) -> Shown:
+        """A row's numbers and curves; with measures those after the change."""
+        learned = self._laboratory.learned(row)
+        rng = self._settings.rng(PARTS.index(row.part), number)
+        if measures is None:
+            return measured.measured(row, learned, rng)
+        return measured.measured(row, after.from_the_change(learned), rng, measures)
+
+    def _found(self) -> None:
+        self._tell("found: learning once more, and looking into learners")
+        self._results.found = found.find(self._recordings.standard, self._settings)
+
+    def _haptics(self) -> None:
+        size = self._settings
+        settings = HapticSettings(
+            grasped=size.grasped, runs=size.fewer_runs, seed=size.seed
+        )
+        self._results.haptics = haptics.run(
+            self._folder,
+            self._recordings.standard,
+            settings,
+            self._jobs,
+            self._tell,
+            self._laboratory.learned_in,
+        )
+
+    def _rivals(self) -> None:
+        size = self._settings
+        settings = RivalSettings(
+            linear_runs=size.runs,
+            deep_runs=size.deep_runs,
+            deep_trials=size.deep_trials,
+            seed=size.seed,
+            live_presentations=size.planned // 2,
+        )
+        if not size.planned:
+            settings = replace(settings, live_errors=())
+        self._results.rivals = rivals.run(
+            self._folder, settings, self._path, self._jobs, self._tell
+        )

@@ -1,0 +1,42 @@
+"""All tables of the study, by the name of their file."""
+
+from collections.abc import Iterator
+
+import pyarrow as pa
+
+from prospect_mj.experiment.development.study.measured import (
+    Measured,
+    Shown,
+    Told,
+    measured_table,
+    sequences_table,
+    shares_table,
+)
+from prospect_mj.experiment.development.study.results import Results
+
+MEASURED, SHARES, SEQUENCES = "measured", "shares", "sequences"
+LOOKS, FOUND = "looks", "found"
+
+
+def tables(results: Results) -> dict[str, pa.Table]:
+    """Those of the parts that were made."""
+    made = {}
+    curves = [*results.learners, *results.population, *results.worlds, *results.change]
+    if measured := [*_measured(curves), *results.causal]:
+        made[MEASURED] = measured_table(measured)
+    if curves:
+        made[SHARES] = shares_table((one.row, one.development) for one in curves)
+    if told := [*results.learners, *results.population]:
+        made[SEQUENCES] = sequences_table(told)
+    if results.looks is not None:
+        made[LOOKS] = results.looks
+    if results.found is not None:
+        made[FOUND] = results.found.table
+    for others in (results.haptics, results.rivals):
+        made |= {} if others is None else others.tables
+    return made
+
+
+def _measured(rows: list[Told | Shown]) -> Iterator[Measured]:
+    for row in rows:
+        yield row.measured

@@ -1,0 +1,222 @@
+"""The study goes on where it was stopped, and its tables hold what was measured."""
+
+from collections import defaultdict
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import small_study
+
+from prospect_mj.agent import DiscoverySettings
+from prospect_mj.agent.haptics import n_haptic
+from prospect_mj.experiment.development.claims.findings import Findings
+from prospect_mj.experiment.development.measures.measures import MEASURES
+from prospect_mj.experiment.development.study import (
+    after,
+    causal,
+    learners,
+    measured,
+    study,
+)
+from prospect_mj.experiment.development.study.learning import Laboratory
+from prospect_mj.experiment.development.study.rows import population
+from prospect_mj.experiment.development.study.settings import DOMINANT, Extent
+from prospect_mj.experiment.development.study.study import Study
+from prospect_mj.experiment.development.study.tables import tables
+from prospect_mj.experiment.populations import digests, store
+from prospect_mj.experiment.populations.world import World
+from prospect_mj.experiment.run.learning_curve import BLOCK
+from prospect_mj.recording.hands import LEFT, RIGHT
+
+EXTENT = Extent(("learners", "worlds", "change"), ("standard", "noisy"), ("post",))
+N_ROWS = 8 + 2 * 3 + 4
+SETTINGS = small_study.SETTINGS
+
+
+@pytest.fixture(scope="module", autouse=True)
+def small():
+    """Few resamples, no controls; sources are read elsewhere."""
+    with pytest.MonkeyPatch.context() as patch:
+        small_study.resample_little(patch)
+        patch.setattr(learners, "CONTROLS", {})
+        patch.setattr(digests, "source_digest", lambda: "sources")
+        yield
+
+
+@pytest.fixture(scope="module")
+def worlds():
+    return small_study.recordings()
+
+
+def opened(folder, worlds, tell=lambda line: None, extent=EXTENT):
+    return Study(folder, SETTINGS, extent, worlds, None, 1, tell)
+
+
+@pytest.fixture(scope="module")
+def done(tmp_path_factory, worlds):
+    """A folder, the results, and the lines that were told."""
+    folder, lines = tmp_path_factory.mktemp("study"), []
+    return folder, opened(folder, worlds, lines.append).results(), lines
+
+
+@pytest.fixture
+def learned(monkeypatch):
+    """Counts the populations that learn."""
+    found, run = [], store.run_population
+    monkeypatch.setattr(store, "run_population", lambda *a: found.append(1) or run(*a))
+    return found
+
+
+def test_all_rows_are_there(done):
+    _, results, lines = done
+    assert len(results.learners) == 8
+    assert [one.row.name for one in results.singles] == list(learners.LEARNERS)
+    assert {one.row.rule for one in results.singles} == {"suppressed"}
+    assert len(results.worlds) == 6
+    assert len(results.change) == 4
+    assert results.causal == []
+    assert list(results.seconds) == list(EXTENT.parts)
+    assert len(lines) == N_ROWS + len(EXTENT.parts)
+    assert results.learning_seconds > 0
+
+
+def test_worlds_and_changes_are_told_from_each_other(done):
+    _, results, _ = done
+    by_world = {(one.row.world, one.row.name): one for one in results.worlds}
+    one, other = (by_world[world, "linear"] for world in EXTENT.worlds)
+    assert one.measured.measured != other.measured.measured
+    # A change makes what was right wrong: errors are more than exploration's.
+    for one in results.change:
+        assert list(one.measured.measured) == [each.name for each in after.AFTER]
+        assert one.measured.measured["easy_errors"].estimate > 0.2
+
+
+def test_tables_have_what_was_measured(done):
+    _, results, _ = done
+    made = tables(results)
+    assert set(made) == {"measured", "shares", "sequences", "looks"}
+    rows = made["measured"].to_pylist()
+    (found,) = [
+        row
+        for row in rows
+        if (row["part"], row["name"], row["rule"], row["measure"])
+        == ("learners", "replay", "allowed", "dominance")
+    ]
+    (told,) = [
+        one
+        for one in results.learners
+        if (one.row.name, one.row.rule) == ("replay", "allowed")
+    ]
+    assert found["estimate"] == told.findings.measured["dominance"].estimate
+    assert found["runs"] == SETTINGS.runs
+    orders = [row for row in rows if row["measure"] == "order"]
+    assert len(orders) == N_ROWS
+    assert all(0 <= row["estimate"] <= 1 for row in orders)
+
+
+def test_shares_of_a_set_add_up_to_one(done):
+    _, results, _ = done
+    sums, trials = defaultdict(list), set()
+    for row in tables(results)["shares"].to_pylist():
+        names = ("part", "name", "rule", "world", "then", "trials", "trial")
+        sums[tuple(row[name] for name in names)].append(row["share"])
+        trials |= {row["trial"]} if row["part"] == "learners" else set()
+    # NaN where a set has no trial of the kind.
+    np.testing.assert_allclose(np.nan_to_num([*sums.values()], nan=0.25).sum(axis=1), 1)
+    assert trials == set(range(0, 600, BLOCK))
+
+
+def test_splits_are_told_of_the_learner_that_has_some(done):
+    _, results, _ = done
+    for one in [*results.worlds, *results.change]:
+        splits = {measured.INSERTION, measured.GRASP} & set(one.measured.measured)
+        assert bool(splits) == (
+            one.row.name == "discovery" and one.row.part == "worlds"
+        )
+
+
+def test_the_same_again_learns_nothing_and_comes_to_the_same(done, worlds, learned):
+    folder, results, _ = done
+    lines = []
+    again = opened(folder, worlds, lines.append)
+    made = tables(again.results())
+    assert learned == []
+    assert list(again.unused()) == []
+    assert sum(line.endswith("kept") for line in lines) == N_ROWS
+    for name, table in tables(results).items():
+        np.testing.assert_equal(made[name].to_pydict(), table.to_pydict())
+
+
+def test_a_killed_study_goes_on_where_it_was(tmp_path, done, worlds, learned):
+    def interrupt(line):
+        if len(learned) == 5:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        opened(tmp_path, worlds, interrupt).results()
+    made, expected = map(tables, (opened(tmp_path, worlds).results(), done[1]))
+    assert len(learned) == N_ROWS
+    measured_ = (found["measured"].to_pydict() for found in (made, expected))
+    np.testing.assert_equal(*measured_)
+
+
+def test_parts_share_what_is_the_same_in_both(done, worlds, learned, monkeypatch):
+    folder, results, _ = done
+    base = next(causal.single(SETTINGS))
+    monkeypatch.setattr(causal, "rows", lambda settings: [base])
+    found = opened(folder, worlds, extent=Extent(("causal",))).results()
+    assert learned == []
+    (row,) = found.causal
+    world = next(one for one in results.worlds if one.row.name == "discovery")
+    expected = world.measured.measured
+    for measure in MEASURES:
+        assert row.measured[measure.name].estimate == pytest.approx(
+            expected[measure.name].estimate, nan_ok=True
+        )
+
+
+def test_what_nothing_asked_for_is_told(done, worlds):
+    folder, *_ = done
+    one = opened(folder, worlds, extent=Extent(("worlds",), ("noisy",)))
+    one.results()
+    assert len(one.unused()) == N_ROWS - 3
+
+
+def test_a_world_with_categories_has_its_own_population(tmp_path, worlds, learned):
+    standard = worlds.standard
+    category = np.arange(len(standard.nodes.child)) % 2
+    two_bits = population(SETTINGS, DiscoverySettings())
+    learner = DiscoverySettings(n_haptic=n_haptic(2))
+    told = replace(two_bits, learner=learner, categories=2)
+    asked = (World(standard), two_bits), (World(standard, 2, category), told)
+    laboratory = Laboratory(tmp_path, worlds, 1, lambda line: None)
+    made = [
+        laboratory.learned_in(world, DOMINANT, settings)
+        for world, settings in asked * 2
+    ]
+    assert len(learned) == 2
+    assert (made[0].n_actions == made[2].n_actions).all()
+    assert (made[0].n_actions != made[1].n_actions).any()
+    assert laboratory.unused() == []
+
+
+def test_haptics_and_rivals_get_the_study_s_sizes(tmp_path, worlds, monkeypatch):
+    asked = []
+    for module in (study.haptics, study.rivals):
+        monkeypatch.setattr(module, "run", lambda *given: asked.append(given))
+    opened(tmp_path, worlds, extent=Extent(("haptics", "rivals"))).results()
+    (folder, recording, haptic, *_), (_, rival, *_) = asked
+    assert (folder, recording) == (tmp_path, worlds.standard)
+    assert (haptic.runs, haptic.grasped, haptic.seed) == (2, 0, 0)
+    assert (rival.linear_runs, rival.deep_runs, rival.deep_trials) == (3, 2, 50)
+    assert rival.live_presentations == 0
+    assert rival.live_errors == ()
+
+
+def test_a_row_is_measured_like_any_population(worlds):
+    row = learners.rows(SETTINGS)[0]
+    made = store.run_population(worlds.standard, row.scenario, row.settings)
+    told = measured.told(row, made, np.random.default_rng(5))
+    expected = Findings.of(made, np.random.default_rng(5))
+    np.testing.assert_equal(told.measured.measured, dict(expected.measured))
+    assert set(np.unique(made.lid)) == {LEFT, RIGHT}

@@ -1,0 +1,134 @@
+"""The rows of the study: which learners are compared, and what is unlike in them."""
+
+from dataclasses import asdict, replace
+from itertools import chain, product
+
+import pytest
+
+from prospect_mj.agent import DiscoverySettings
+from prospect_mj.experiment.development.study import (
+    causal,
+    learners,
+    population,
+    world_rows,
+)
+from prospect_mj.experiment.development.study.settings import (
+    CHANGES,
+    WORLDS,
+    StudySettings,
+)
+
+STUDY = StudySettings(runs=50, seed=9)
+PARTS = {
+    "learners": learners.rows(STUDY),
+    "causal": causal.rows(STUDY),
+    "population": population.rows(STUDY),
+    "worlds": world_rows.worlds(STUDY, WORLDS),
+    "change": world_rows.changes(STUDY, CHANGES),
+}
+CAUSAL = {row.name: row for row in PARTS["causal"]}
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_rows_of_a_part_have_names_of_their_own(part):
+    rows = PARTS[part]
+    assert {row.part for row in rows} == {part}
+    assert len({row.title for row in rows}) == len(rows)
+
+
+def test_run_k_sees_the_same_in_all_rows():
+    assert {row.settings.seed for row in chain(*PARTS.values())} == {9}
+
+
+def test_every_learner_and_every_control_is_there_under_both_rules():
+    found = {(row.name, row.rule) for row in PARTS["learners"]}
+    names = {**learners.LEARNERS, **learners.CONTROLS}
+    assert found == set(product(names, ("allowed", "suppressed")))
+    assert {row.settings.runs for row in PARTS["learners"]} == {50}
+
+
+def test_learners_have_the_settings_they_have_everywhere():
+    assert {
+        name: type(settings)() for name, settings in learners.LEARNERS.items()
+    } == learners.LEARNERS
+    named = (settings.name for settings in learners.LEARNERS.values())
+    assert tuple(named) == tuple(learners.LEARNERS)
+
+
+def test_every_control_differs_from_the_learner_whose_name_it_bears():
+    for name, settings in learners.CONTROLS.items():
+        usual = learners.LEARNERS[name.partition(",")[0]]
+        assert type(settings) is type(usual)
+        assert settings != usual
+
+
+def test_the_first_causal_row_is_that_of_the_other_parts():
+    assert CAUSAL[causal.BASE].settings.learner == learners.LEARNERS["discovery"]
+    assert {row.rule for row in CAUSAL.values()} == {"suppressed"}
+
+
+def test_in_each_single_row_one_thing_is_changed():
+    usual = asdict(DiscoverySettings())
+    base = CAUSAL[causal.BASE]
+    for row in causal.single(STUDY):
+        if row.name == causal.BASE:
+            continue
+        its = asdict(row.settings.learner)
+        changed = [name for name in usual if its[name] != usual[name]]
+        changed += ["scenario"] if row.scenario != base.scenario else []
+        assert len(changed) == (2 if ", " in row.name and row.name[:2] != "TD" else 1)
+
+
+def test_other_pretrainings_leave_the_trials_after_them_alone():
+    scenarios = {row.scenario for row in causal.single(STUDY)}
+    lengths = {scenario.pretrain for scenario in scenarios}
+    assert lengths == {*causal.PRETRAININGS, 400}
+    assert {one.trials - one.pretrain for one in scenarios} == {600}
+
+
+def test_forced_splits_are_crossed_with_values_and_rates():
+    crossed = product(causal.ORDERS, causal.VALUES, causal.RATES)
+    for order, values, rate in crossed:
+        learner = CAUSAL[causal.forced_name(order, values, rate)].settings.learner
+        assert (learner.revalue, learner.least_rate) == (values, rate)
+        split = dict(learner.forced_splits)
+        ahead = split["others"] - split["insert"]
+        assert (ahead > 0) == (order == "insertion first")
+        assert (ahead < 0) == (order == "grasp first")
+        assert min(split.values()) == 450
+
+
+def test_labels_are_crossed_with_what_is_remembered_values_and_rates():
+    crossed = product(causal.LABELS, causal.CACHES, causal.VALUES, causal.RATES[:3])
+    for labels, cache, values, rate in crossed:
+        row = CAUSAL[causal.labelled_name(labels, cache, values, rate)]
+        expected = replace(
+            DiscoverySettings(),
+            labels=labels,
+            cache=cache,
+            revalue=values,
+            least_rate=rate,
+        )
+        assert row.settings.learner == expected
+
+
+def test_a_spread_population_draws_what_its_learner_has():
+    for row in PARTS["population"]:
+        learner = row.settings.learner
+        for spread in row.settings.spread:
+            assert spread.low < getattr(learner, spread.parameter) < spread.high
+
+
+def test_in_other_worlds_only_learners_learn_that_see_the_picture():
+    assert {row.name for row in PARTS["worlds"]} == {"discovery", "linear", "replay"}
+    assert {row.world for row in PARTS["worlds"]} == set(WORLDS)
+    assert {row.then for row in PARTS["worlds"]} == {None}
+
+
+def test_the_world_changes_after_all_trials():
+    changing = PARTS["change"]
+    assert {row.then for row in changing} == set(CHANGES)
+    assert {row.name for row in changing} == set(learners.LEARNERS)
+    for row in changing:
+        assert (row.scenario.trials, row.scenario.then_trials) == (1000, 600)
+        assert row.world == "standard"

@@ -1,0 +1,117 @@
+"""Results of a study of development in which every trial is made by hand."""
+
+from functools import cache
+
+import numpy as np
+from hand_made_runs import B, E, L, X, population
+from small_study import SETTINGS
+
+from prospect_mj.agent.features import N_BINS
+from prospect_mj.experiment.development.claims.findings import Findings
+from prospect_mj.experiment.development.measures.development import Development
+from prospect_mj.experiment.development.study import (
+    after,
+    causal,
+    learners,
+    looks,
+    measured,
+    world_rows,
+)
+from prospect_mj.experiment.development.study import population as spread
+from prospect_mj.experiment.development.study.found import CHOICE, Found, Range, Says
+from prospect_mj.experiment.development.study.measured import Measured, Shown, Told
+from prospect_mj.experiment.development.study.results import Results, Single
+from prospect_mj.experiment.development.study.settings import Extent
+from prospect_mj.experiment.paper.measures.bootstrap import Interval
+
+RUNS, BLOCKS = 4, 30
+INFANT = [[L] * 5] * 6 + [[E] * 5] * 8 + [[B] * 5] * 16
+AT_ONCE = [[X] * 5] + [[B] * 5] * 29
+LATE = [[L] * 5] * 10 + [[B] * 5] * 20
+EXTENT = Extent(("learners", "causal", "population", "worlds", "change", "found"))
+LIKE = ("discovery", "suppressed"), ("replay", "suppressed")
+"""Learners and rules that develop as infants do."""
+
+
+@cache
+def runs(kind):
+    """A population of runs alike."""
+    return population(
+        [{"infant": INFANT, "late": LATE, "at once": AT_ONCE}[kind]] * RUNS
+    )
+
+
+@cache
+def findings(kind):
+    """What it comes to."""
+    return Findings.of(runs(kind), np.random.default_rng(0), 20)
+
+
+def told(row, kind):
+    """A row that did so."""
+    return Told(row, RUNS, findings(kind))
+
+
+def shown(row, kind, measures=measured.MEASURES):
+    """A row that did so, with fewer numbers."""
+    development = Development(*findings(kind).development)
+    numbers = {one.name: one.estimate(development) for one in measures}
+    return Shown(Measured(row, RUNS, numbers, findings(kind).order), development)
+
+
+def causal_row(row):
+    """A row that does as infants do unless its values are inherited."""
+    kind = "late" if row.settings.learner.revalue == "inherit" else "infant"
+    numbers = dict(findings(kind).measured)
+    splits = {
+        name: Interval(66, 60, 70, 0) for name in (measured.INSERTION, measured.GRASP)
+    }
+    return Measured(row, RUNS, numbers | splits, findings(kind).order)
+
+
+def found():
+    """Two features of a discovery learner, and weights of the others."""
+    bins = np.arange(N_BINS)
+    v = {
+        "left": np.exp(-(((bins - 30) / 9) ** 2)),
+        "right": np.exp(-(((bins - 60) / 9) ** 2)),
+    }
+    levels = np.where(bins < 45, 1.0, -1.0) * (np.abs(bins - 45) < 20)
+    says = [
+        Says("discovery", name, 3, levels) for name in ("insertion", "grasp", "swap")
+    ]
+    says += [
+        Says(name, CHOICE, 3, v["left"] - v["right"]) for name in ("linear", "replay")
+    ]
+    return Found(
+        v, says, [Range("grasp", 34, 36, 0, 0, 0.27), Range("swap", 9, 12, 70, 71, 0)]
+    )
+
+
+def results(extent=EXTENT, settings=SETTINGS):
+    """Of all parts but rivals and haptics."""
+    made, parts = Results(settings, extent), extent.parts
+    if "learners" in parts:
+        for row in learners.rows(settings):
+            kind = "infant" if (row.name, row.rule) in LIKE else "at once"
+            made.learners.append(told(row, kind))
+            if row.rule == "suppressed" and row.name in learners.LEARNERS:
+                made.singles.append(Single(row, runs(kind)))
+    if "causal" in parts:
+        made.causal = [causal_row(row) for row in causal.rows(settings)]
+    if "population" in parts:
+        made.population = [told(row, "infant") for row in spread.rows(settings)]
+    if "worlds" in parts:
+        rows = world_rows.worlds(settings, extent.worlds)
+        made.worlds = [shown(row, "infant") for row in rows]
+        looked = [(w, 4, 0.8, 0.99, 0.15) for w in extent.worlds]
+        made.looks = looks.LOOKS.empty_table().from_pylist(
+            [dict(zip(looks.LOOKS.names, one, strict=True)) for one in looked],
+            schema=looks.LOOKS,
+        )
+    if "change" in parts:
+        rows = world_rows.changes(settings, extent.changes)
+        made.change = [shown(row, "late", after.AFTER) for row in rows]
+    made.found = found() if "found" in parts else None
+    made.seconds = dict.fromkeys(parts, 1.5)
+    return made
