@@ -15,7 +15,6 @@ import yaml
 from prospect_mj.errors import InvalidValue, ProspectError, RecordingError
 from prospect_mj.recording import provenance
 from prospect_mj.recording.config import RecordingConfig
-from prospect_mj.recording.worlds import WORLDS
 from prospect_mj.storage import read_yaml
 
 NAME = "recording.yaml"
@@ -29,7 +28,7 @@ class RecordingKey:
 
     config: RecordingConfig
     sha256: Mapping[str, str]
-    """Digest of each model file, of the sources below the learner and of the world."""
+    """Digest of each model file, and of the sources below the learner."""
     versions: Mapping[str, str]
     """Of each package, by name."""
     machine: Mapping[str, str]
@@ -47,10 +46,9 @@ class RecordingKey:
             MissingFile: if a model file is missing.
         """
         sources = {"sources": provenance.source_digest()}
-        world = {"world": WORLDS[config.world].digest}
         return cls(
             config,
-            provenance.model_digests() | sources | world,
+            provenance.model_digests() | sources,
             provenance.installed_versions(),
             provenance.machine() | {"renderer": renderer},
         )
