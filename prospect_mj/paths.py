@@ -10,8 +10,8 @@ _ROOT = _PACKAGE / "_data" if (_PACKAGE / "_data").is_dir() else _PACKAGE.parent
 
 MODELS = _ROOT / "models"
 ASSETS = _ROOT / "assets"
-RECORDING = ASSETS / "recording"
-"""The recorded physics that comes with the package."""
+RECORDINGS = ASSETS / "recordings"
+"""Recorded physics that comes with the package: a folder for each world."""
 
 
 def existing(path: Path) -> Path:

@@ -25,10 +25,13 @@ from prospect_mj.task.trial_state import TrialState
 
 INSERTED = PredicateState(AT_REST, AT_REST, Jar.INSERTED)
 SECONDS = 5.5
+FELT = ((0.25, 2.0), (0.5, 0.125), (0.75, 0.0625))
+"""Of a grasp; exact in single precision."""
+INSERTIONS = (Action.INSERT_LEFT, Action.INSERT_RIGHT)
 
 
 def key(**settings) -> RecordingKey:
-    digests = {"models/torso.xml": "ab", "sources": "cd"}
+    digests = {"models/torso.xml": "ab", "sources": "cd", "world": "ef"}
     versions = {"mujoco": "3.17.0", "numpy": "2.4.6"}
     return RecordingKey(RecordingConfig(**settings), digests, versions, {})
 
@@ -82,12 +85,13 @@ class IdealGrower:
                 inserted,
                 depth,
                 state,
+                felt=() if edge.action in INSERTIONS else FELT[: 1 + depth % 3],
             )
         )
 
     def led_to(self, tree, start, action) -> tuple[ActionResult, PredicateState]:
         hand = "left" if action.name.endswith("LEFT") else "right"
-        if action in (Action.INSERT_LEFT, Action.INSERT_RIGHT):
+        if action in INSERTIONS:
             if hand == tree.orientation:
                 return ActionResult.SUCCESS, INSERTED
             return ActionResult.JAMMED, start.predicates

@@ -29,13 +29,14 @@ def check_model(installed: Path) -> None:
 
 
 def check_environments() -> None:
-    """Live and recorded physics can be had by their name."""
+    """Live and recorded physics can be had by their name, and other worlds."""
     import gymnasium
 
     import prospect_mj  # noqa: F401
 
-    for physics in ("recorded", "live"):
-        env = gymnasium.make("prospect_mj/PickPlace-v0", physics=physics)
+    recorded, live = {"physics": "recorded"}, {"physics": "live"}
+    for settings in (recorded, live, live | {"world": "post"}):
+        env = gymnasium.make("prospect_mj/PickPlace-v0", **settings)
         env.reset(seed=0, options={"orientation": "left"})
         *_, info = env.step(0)
         assert (info["result"], info["holding"]) == ("success", "left"), info
@@ -46,7 +47,8 @@ def check_commands(installed: Path) -> None:
     """A run can be made, replayed and looked through."""
     assert prospect(installed, "--version").strip()
     checks = json.loads(prospect(installed, "doctor", "--json"))
-    assert checks
+    found = {check["found"].partition(":")[0] for check in checks["checks"]}
+    assert "standard" in found
     few = ("--trials", "1", "--max-actions", "3", "--out", "run")
     prospect(installed, "train", *few, "--record", "all")
     prospect(installed, "replay", "run", "--trial", "0", "--save", "trial.rrd")

@@ -56,8 +56,8 @@ def test_wheel_carries_the_data_files(wheel):
     assert {
         "prospect_mj/_data/models/torso.xml",
         "prospect_mj/_data/assets/jar.obj",
-        "prospect_mj/_data/assets/recording/recording.yaml",
-        "prospect_mj/_data/assets/recording/trees.parquet",
+        "prospect_mj/_data/assets/recordings/standard/recording.yaml",
+        "prospect_mj/_data/assets/recordings/standard/trees.parquet",
         "prospect_mj/py.typed",
     } <= names
     assert any(name.endswith("licenses/LICENSE") for name in names)

@@ -23,7 +23,7 @@ class Workspace:
     well_depth: float
     """[m]"""
     wedge: float
-    """Where the lid stops on the rim's chamfer, above the rim [m]."""
+    """Where the end that does not fit stops, above the rim [m]."""
     presentation: np.ndarray
     """Where a held jar is kept between actions, and swapped (3,) [m]."""
     grip_inset: float = 0.027
@@ -59,7 +59,6 @@ def workspace(props: Props) -> Workspace:
         jar_weight=props.jar.mass * GRAVITY,
         well=np.array([*props.well.position, props.well.rim_height]),
         well_depth=props.well.depth,
-        # The chamfer slopes at 45 degrees, so it is as high as the lid is wider.
-        wedge=props.jar.lid_radius - props.well.half_width,
+        wedge=props.well.stop_height(props.jar.lid_radius),
         presentation=np.array(PRESENTATION),
     )

@@ -53,6 +53,11 @@ def weights(argv: Sequence[str] | None = None, prog: str = "draw_weights.py") ->
     return main(_weights, IMAGES / "weights.png", prog, argv)
 
 
+def worlds(argv: Sequence[str] | None = None, prog: str = "draw_worlds.py") -> int:
+    """Draw the worlds for docs/worlds.md, as the eye sees them, and the post."""
+    return main(_worlds, IMAGES / "worlds.png", prog, argv)
+
+
 def main(
     picture: Callable[[], bytes],
     out: Path,
@@ -117,6 +122,14 @@ def _weights() -> bytes:
         from prospect_mj.experiment.pictures import mind_picture
 
         return mind_picture.mind_picture(_ticks(bar, mind_picture.STEPS))
+
+
+def _worlds() -> bytes:
+    with _bar() as bar:
+        gl.require_gl()
+        from prospect_mj.experiment.pictures import worlds_picture
+
+        return worlds_picture.worlds_picture(_ticks(bar, worlds_picture.STEPS))
 
 
 def _bar() -> tqdm:

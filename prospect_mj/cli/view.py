@@ -11,6 +11,7 @@ from prospect_mj.cli.video import check_new_video
 from prospect_mj.display import require_display
 from prospect_mj.errors import InvalidChoice, InvalidValue
 from prospect_mj.experiment.watching.shown import Shown
+from prospect_mj.recording.worlds import STANDARD
 from prospect_mj.robot.names import Side
 from prospect_mj.sim import gl
 
@@ -32,6 +33,9 @@ class ViewOptions:
     """Of the presentation."""
     speed: float = 1.0
     """Simulated seconds per second, 0.01 to 100."""
+    world: str = STANDARD
+    """What stands round the torso: standard, post, lamp-right, lamp-high, noisy,
+    ring-label, wide-lid or narrow-lid."""
     video: Path | None = None
     """MP4 file to write in place of opening a window; it must not exist."""
 
@@ -45,7 +49,8 @@ class ViewOptions:
 
     def shown(self) -> Shown:
         """What they ask for."""
-        return Shown(self.lid, actions_named(self.actions), self.seed, self.speed)
+        actions = actions_named(self.actions)
+        return Shown(self.lid, actions, self.seed, self.speed, self.world)
 
 
 def actions_named(words: Sequence[str]) -> tuple[Action, ...]:

@@ -12,6 +12,7 @@ from prospect_mj.agent.features import FeatureSettings
 from prospect_mj.checks import check_choice, check_integer
 from prospect_mj.errors import InvalidValue
 from prospect_mj.recording.config import GrossMotion, ObjectPose, RecordingConfig
+from prospect_mj.recording.worlds import STANDARD
 from prospect_mj.supervisor.supervisor import Mode, Supervisor
 from prospect_mj.task.presentation import PresentationSettings
 
@@ -36,7 +37,8 @@ class PickPlaceSettings:
     """`live` simulates every action; `recorded` looks up what it led to when it was
     simulated before, which takes microseconds."""
     recording: Path | None = None
-    """Folder of the recording; None is the one that comes with the package."""
+    """Folder of the recording; None is the one of this world that comes with the
+    package."""
     grow: bool = False
     """Whether outcomes that the recording lacks are simulated, and added to it; trials
     then draw from 50 presentations of each orientation, recorded or not, or from all
@@ -51,6 +53,8 @@ class PickPlaceSettings:
     """How large movements go; `cartesian` is an ablation."""
     grid_cells: int = 16
     """Of the coarsest grid of the harmonic ones, for each of its four joints."""
+    world: str = STANDARD
+    """What stands round the torso, and how well its eyes see (docs/worlds.md)."""
     max_actions: int = 10
     """After which a trial is truncated; on recorded physics presentations are not shown
     whose outcomes are recorded for fewer."""
@@ -135,6 +139,7 @@ class PickPlaceSettings:
             object_pose=self.object_pose,
             gross_motion=self.gross_motion,
             grid_cells=self.grid_cells,
+            world=self.world,
         )
 
 

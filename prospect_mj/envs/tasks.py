@@ -7,11 +7,10 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from prospect_mj import paths
 from prospect_mj.actions.action import Action, ActionOutcome
 from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.errors import RecordingError
-from prospect_mj.recording import files
+from prospect_mj.recording import files, shipped
 from prospect_mj.recording import key as keys
 from prospect_mj.recording.config import RecordingConfig
 from prospect_mj.recording.key import RecordingKey
@@ -90,7 +89,8 @@ def load_recording(settings: PickPlaceSettings) -> Recording:
     Raises:
         RecordingError: if it can't be had, or is of other physics.
     """
-    path = paths.RECORDING if settings.recording is None else settings.recording
+    path = settings.recording
+    path = shipped.folder(settings.world) if path is None else path
     recording = Recording.load(path)
     _check_same(path, recording.key.config, settings)
     recording.warn_if_foreign()

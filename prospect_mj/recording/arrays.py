@@ -40,6 +40,9 @@ class Nodes:
     """(n,): executed actions since the presentation."""
     predicates: NDArray[np.int64]
     """(n,): number of the supervisor's state."""
+    felt: NDArray[np.float32]
+    """(n, m, 2): time since the hand closes [s] and residual [1] of every sample of the
+    grasp that led here; NaN after the last one."""
 
 
 @dataclass(frozen=True)
@@ -115,7 +118,19 @@ def nodes(table: pa.Table, states: PredicateStates, number: NDArray[np.int64]) -
         holding=holds[number].astype(np.int8),
         depth=_column(table, "depth"),
         predicates=number,
+        felt=_felt(table),
     )
+
+
+def _felt(table: pa.Table) -> NDArray[np.float32]:
+    """(n, m, 2): the trajectories of all grasps, as long as the longest, m."""
+    lists = table["felt"].combine_chunks()
+    lengths = lists.value_lengths().to_numpy()
+    samples = lists.flatten()
+    columns = [samples.field(name).to_numpy() for name in ("seconds", "residual")]
+    felt = np.full((len(lists), lengths.max(initial=0), 2), np.nan, np.float32)
+    felt[np.arange(felt.shape[1]) < lengths[:, None]] = np.column_stack(columns)
+    return felt
 
 
 def _global_parents(table: pa.Table) -> NDArray[np.int64]:

@@ -5,6 +5,7 @@ from dataclasses import asdict, dataclass
 from typing import Any, Literal, Self, get_args
 
 from prospect_mj.checks import check_choice, check_integer, check_names
+from prospect_mj.recording.worlds import STANDARD, WORLDS
 
 # As `task` has them, without its imports of the physics: a recording is stepped where
 # there is no OpenGL.
@@ -27,9 +28,13 @@ class RecordingConfig:
     """How large movements go; cartesian is an ablation."""
     grid_cells: int = 16
     """Of harmonic movements: cells of the coarsest grid for each of its four joints."""
+    world: str = STANDARD
+    """What stands round the torso, and how well its eyes see: standard, post,
+    lamp-right, lamp-high, noisy, ring-label, wide-lid or narrow-lid."""
 
     def __post_init__(self) -> None:
         """Refuse numbers and choices that make no recording."""
+        check_choice("world", self.world, WORLDS)
         check_integer("seed", self.seed, 0, LARGEST_SEED)
         check_integer("grid cells per joint", self.grid_cells, 2, MOST_CELLS)
         check_choice("object pose", self.object_pose, get_args(ObjectPose))

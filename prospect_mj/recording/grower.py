@@ -2,11 +2,16 @@
 
 import numpy as np
 
+from prospect_mj.actions.action import ActionOutcome
 from prospect_mj.closing import Closing
+from prospect_mj.control.grasp_settings import GraspResult
 from prospect_mj.errors import RecordingError
 from prospect_mj.planning.settings import PlannerSettings
 from prospect_mj.recording.config import RecordingConfig
 from prospect_mj.recording.tree import Edge, Node, OutcomeTree, Shown
+from prospect_mj.recording.worlds import WORLDS
+from prospect_mj.sim.camera import EyeSettings
+from prospect_mj.sim.scene import SceneSettings
 from prospect_mj.task.pick_place import PickPlaceTask, TaskSettings
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 from prospect_mj.vision.look import Look
@@ -14,12 +19,14 @@ from prospect_mj.vision.look import Look
 
 def task_settings(config: RecordingConfig) -> TaskSettings:
     """Settings of the physics that a recording is made with."""
-    harmonic = config.gross_motion == "harmonic"
+    harmonic, world = config.gross_motion == "harmonic", WORLDS[config.world]
     cells = PlannerSettings.with_cells(config.grid_cells)
     return TaskSettings(
         object_pose=config.object_pose,
         gross_motion=config.gross_motion,
         planning=cells if harmonic else PlannerSettings(),
+        scene=SceneSettings(props=world.props),
+        eyes=EyeSettings(noise_sd=world.noise_sd),
     )
 
 
@@ -102,8 +109,19 @@ class Grower(Closing):
             inserted=inserted,
             depth=start.depth + outcome.executed,
             state=self.task.save() if grows_on else None,
+            felt=_felt(outcome),
         )
 
     def close(self) -> None:
         """Close the eyes."""
         self.task.close()
+
+
+def _felt(outcome: ActionOutcome) -> tuple[tuple[float, float], ...]:
+    """The trajectory of an action's last grasp, in single precision."""
+    results = [run.result for run in outcome.runs]
+    grasps = [result for result in results if isinstance(result, GraspResult)]
+    if not grasps:
+        return ()
+    samples = np.array(grasps[-1].trajectory, np.float32).reshape(-1, 2)
+    return tuple((seconds, eps) for seconds, eps in samples.tolist())

@@ -1,6 +1,10 @@
 """Hands by number, and their actions; the numbers stand for the lid's side as well."""
 
+import numpy as np
+from numpy.typing import NDArray
+
 from prospect_mj.actions.action import Action
+from prospect_mj.recording.worlds import WORLDS
 from prospect_mj.robot.names import SIDES, Side
 
 NONE, LEFT, RIGHT = 0, 1, 2
@@ -21,3 +25,16 @@ def number_of(hand: Side | None) -> int:
 def hand_of(number: int) -> Side | None:
     """The hand with a number, None for NONE."""
     return None if number == NONE else SIDES[number - LEFT]
+
+
+def inserting_hand(lid: NDArray[np.int8], world: str) -> NDArray[np.int8]:
+    """The hand that can insert what it picks up.
+
+    Args:
+        lid: side of the lid, LEFT or RIGHT (any shape).
+        world: name of the world; it decides which end fits.
+
+    Returns:
+        LEFT or RIGHT, in the same shape.
+    """
+    return np.int8(LEFT + RIGHT) - lid if WORLDS[world].lid_first else lid

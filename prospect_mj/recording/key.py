@@ -15,6 +15,7 @@ import yaml
 from prospect_mj.errors import InvalidValue, ProspectError, RecordingError
 from prospect_mj.recording import provenance
 from prospect_mj.recording.config import RecordingConfig
+from prospect_mj.recording.worlds import WORLDS
 from prospect_mj.storage import read_yaml
 
 NAME = "recording.yaml"
@@ -28,7 +29,7 @@ class RecordingKey:
 
     config: RecordingConfig
     sha256: Mapping[str, str]
-    """Digest of each model file, and of the sources below the learner."""
+    """Digest of each model file, of the sources below the learner and of the world."""
     versions: Mapping[str, str]
     """Of each package, by name."""
     machine: Mapping[str, str]
@@ -46,9 +47,10 @@ class RecordingKey:
             MissingFile: if a model file is missing.
         """
         sources = {"sources": provenance.source_digest()}
+        world = {"world": WORLDS[config.world].digest}
         return cls(
             config,
-            provenance.model_digests() | sources,
+            provenance.model_digests() | sources | world,
             provenance.installed_versions(),
             provenance.machine() | {"renderer": renderer},
         )

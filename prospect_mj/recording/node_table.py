@@ -38,6 +38,7 @@ def _row(tree: OutcomeTree, number: int, node: Node, states: bool) -> dict[str, 
         "depth": node.depth,
         **words_of(node.predicates),
         "shown": vars(tree.shown) if node.parent is None else None,
+        "felt": [{"seconds": s, "residual": eps} for s, eps in node.felt],
         "state": None if kept is None else state_row(kept),
     }
 
@@ -66,4 +67,5 @@ def _node(row: Mapping[str, Any]) -> Node:
         inserted=row["inserted"],
         depth=row["depth"],
         state=None if state is None else state_of_row(state, predicates),
+        felt=tuple((sample["seconds"], sample["residual"]) for sample in row["felt"]),
     )

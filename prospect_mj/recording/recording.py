@@ -9,9 +9,8 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
-from prospect_mj import paths
 from prospect_mj.errors import RecordingError
-from prospect_mj.recording import arrays, files
+from prospect_mj.recording import arrays, files, shipped
 from prospect_mj.recording.arrays import Nodes, PredicateStates, Presentations
 from prospect_mj.recording.hands import NUMBERS
 from prospect_mj.recording.key import RecordingKey
@@ -35,12 +34,13 @@ class Recording:
         """Read a recording, grown to its end or not.
 
         Args:
-            path: its folder; None for the one that comes with the package.
+            path: its folder; None for the one of the standard world that comes with the
+                package.
 
         Raises:
             RecordingError: if it is missing or damaged.
         """
-        path = paths.RECORDING if path is None else path
+        path = shipped.folder() if path is None else path
         key = RecordingKey.read(path)
         return cls.of(key, files.all_trees(path, key))
 

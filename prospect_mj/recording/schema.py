@@ -30,6 +30,12 @@ _SHOWN = pa.struct(
     }
 )
 
+FELT = pa.list_(
+    pa.field("element", pa.struct({"seconds": pa.float32(), "residual": pa.float32()}))
+)
+"""What a grasp's contacts were like in every control period in which all three
+fingertips touched: time since the hand closes [s], and how far from balance [1]."""
+
 SCHEMA = pa.schema(
     {
         "orientation": pa.string(),
@@ -48,6 +54,7 @@ SCHEMA = pa.schema(
         "right_place": pa.string(),
         "jar": pa.string(),
         "shown": _SHOWN,
+        "felt": FELT,
         "state": STATE,
     }
 )

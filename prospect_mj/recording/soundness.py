@@ -79,6 +79,7 @@ def _faults(table: pa.Table) -> Faults:
         inside = ((values >= low) & (values <= high)).all()
         yield f"{name} is out of its range", not inside
     yield from _faults_of_shown(table["shown"].drop_null().to_pylist())
+    yield from _faults_of_felt(table["felt"].combine_chunks().flatten())
     if "state" in table.column_names:
         yield from _faults_of_states(table["state"].drop_null().combine_chunks())
     yield from soundness_of_trees.faults(table, is_root)
@@ -99,6 +100,14 @@ def _faults_of_shown(shown: list[dict[str, Any]]) -> Faults:
 def _is_histogram(counts: list[int | None] | None) -> bool:
     whole = counts is not None and len(counts) == N_BINS and None not in counts
     return whole and min(counts) >= 0
+
+
+def _faults_of_felt(samples: pa.StructArray) -> Faults:
+    whole = not samples.null_count
+    yield "a grasp's trajectory is not whole", not whole
+    for field in samples.flatten():
+        sound = not field.null_count and (field.to_numpy() >= 0).all()
+        yield "a grasp's trajectory is not one of numbers", not sound
 
 
 def _faults_of_states(states: pa.StructArray) -> Faults:

@@ -48,6 +48,9 @@ class Node:
     """Executed actions since the presentation."""
     state: TrialState | None
     """To grow on from; None where nothing grows any more, or it was left out."""
+    felt: tuple[tuple[float, float], ...] = ()
+    """(seconds [s], residual [1]), single precision: the trajectory of the action's
+    last grasp (`GraspResult.trajectory`); empty without one."""
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import ArrayLike
 
-from prospect_mj.sim.props import Jar, Lamp, Obstacle, Pedestal, Table, Well
+from prospect_mj.sim.props import Jar, Lamp, Obstacle, Pedestal, Recess, Table, Well
 
 Element = Any
 """An MJCF element of PyMJCF, which only the scene imports."""
@@ -16,6 +16,18 @@ SLOPE = np.pi / 4
 _BRASS = (0.75, 0.62, 0.25, 1)
 _CHAMFER_THICKNESS = 0.002
 """Half thickness of the sloping plates [m]."""
+_FACETS = 12
+"""Plates round a recess."""
+_RECESS_THICKNESS = 0.002
+"""Half thickness of these [m]."""
+
+# A cylinder has no hole in MuJoCo. So the lid with a recess does not touch the post,
+# but for the plates that line its recess, which touch nothing else.
+_HOLLOW = {"contype": 4, "conaffinity": 1}
+_POST = {"contype": 2, "conaffinity": 3}
+_LINING = {"contype": 2, "conaffinity": 0}
+_SOLID = {"contype": 1, "conaffinity": 3}
+"""Of a jar's body: it meets the post like everything else."""
 
 
 def build_table(root: Element, table: Table) -> None:
@@ -91,6 +103,10 @@ def build_well(root: Element, well: Well) -> None:
     _plate(body, "floor", [0, 0, floor[2]], _turned(0, 0), size=floor, **surface)
     for i, name in enumerate(("far", "left", "near", "right")):
         _well_side(body, well, name, i * np.pi / 2, surface)
+    if well.post is not None:
+        foot = np.array([0, 0, well.floor_height])
+        top = foot + [0, 0, well.post.height]
+        _rod(body, "post", "cylinder", foot, top, well.post.radius, **surface, **_POST)
 
 
 def _well_side(
@@ -149,13 +165,31 @@ def build_obstacle(root: Element, obstacle: Obstacle) -> None:
 def build_jar(root: Element, jar: Jar, surface: dict[str, Any]) -> None:
     """The two cylinders that collide and carry the mass; z points to the lid."""
     half, shoulder = jar.length / 2, jar.length / 2 - jar.lid_length
-    for name, low, high, radius, share in (
-        ("body", -half, shoulder, jar.body_radius, 1 - jar.lid_share),
-        ("lid", shoulder, half, jar.lid_radius, jar.lid_share),
+    hollow = jar.recess is not None
+    for name, low, high, radius, share, touches in (
+        ("body", -half, shoulder, jar.body_radius, 1 - jar.lid_share, _SOLID),
+        ("lid", shoulder, half, jar.lid_radius, jar.lid_share, _HOLLOW),
     ):
         ends = (np.array([0, 0, low]), np.array([0, 0, high]))
-        mass = share * jar.mass
-        _rod(root.worldbody, name, "cylinder", *ends, radius, mass=mass, **surface)
+        geom = surface | {"mass": share * jar.mass} | (touches if hollow else {})
+        _rod(root.worldbody, name, "cylinder", *ends, radius, **geom)
+    if jar.recess is not None:
+        _line(root.worldbody, jar.recess, half, surface | {"mass": 0} | _LINING)
+
+
+def _line(body: Element, recess: Recess, top: float, surface: dict[str, Any]) -> None:
+    """The plates round a recess, and the one that it ends at."""
+    thickness = _RECESS_THICKNESS
+    width = (recess.radius + 2 * thickness) * np.tan(np.pi / _FACETS)
+    for i in range(_FACETS):
+        angle = 2 * np.pi * i / _FACETS
+        outward = np.array([np.cos(angle), np.sin(angle), 0])
+        pos = (recess.radius + thickness) * outward + [0, 0, top - recess.depth / 2]
+        size = [thickness, width, recess.depth / 2]
+        _plate(body, f"recess_{i}", pos, _turned(angle, 0), size=size, **surface)
+    end = np.array([0, 0, top - recess.depth])
+    behind = end - [0, 0, 2 * thickness]
+    _rod(body, "recess_end", "cylinder", behind, end, recess.radius, **surface)
 
 
 def _rod(

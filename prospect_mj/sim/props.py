@@ -9,6 +9,16 @@ import numpy as np
 
 
 @dataclass(frozen=True)
+class Recess:
+    """A round hole in the top of a jar's lid, about its axis."""
+
+    radius: float = 0.022
+    """[m]"""
+    depth: float = 0.037
+    """From the top of the lid [m]."""
+
+
+@dataclass(frozen=True)
 class Jar:
     """A jar with a wide lid; frame at its centre, z along the axis to the lid."""
 
@@ -22,6 +32,8 @@ class Jar:
     """[m]"""
     label: tuple[float, float] = (-0.060, 0.016)
     """From where to where on the axis the white label goes [m]."""
+    recess: Recess | None = None
+    """In the lid; None: it is flat."""
     mass: float = 0.40
     """[kg], three quarters in the body, one quarter in the lid."""
     lid_share: float = 0.25
@@ -60,6 +72,16 @@ class Pedestal:
 
 
 @dataclass(frozen=True)
+class Post:
+    """A round post that stands in the middle of the receptacle's floor."""
+
+    radius: float = 0.010
+    """[m]"""
+    height: float = 0.033
+    """Above the floor [m]."""
+
+
+@dataclass(frozen=True)
 class Well:
     """The receptacle: an open square box with a 45-degree chamfer round its rim."""
 
@@ -77,6 +99,20 @@ class Well:
     """Width of the sloping plates [m]."""
     friction: float = 0.25
     """Sliding; smoother than the jar, and it decides (priority 2)."""
+    post: Post | None = None
+    """What only a recess goes over; None: nothing stands in the way."""
+
+    def stop_height(self, widest: float) -> float:
+        """Where the end that does not fit comes to rest, above the rim [m].
+
+        Args:
+            widest: radius of the jar's wider end [m].
+        """
+        if self.post is not None:
+            return self.post.height - self.depth
+        # The chamfer slopes at 45 degrees, so it is as high as the lid is wider, unless
+        # that is wider still.
+        return min(widest - self.half_width, self.chamfer * np.sin(np.pi / 4))
 
     @property
     def floor_height(self) -> float:

@@ -168,8 +168,9 @@ def _model(name: str) -> mjcf.RootElement:
 def _jar(jar: Jar, physics: PhysicsSettings) -> mjcf.RootElement:
     """The camera sees the mesh; two cylinders collide and carry the mass."""
     root = _model(JAR)
-    root.asset.add("mesh", name="jar", file=str(paths.jar_obj()))
-    root.asset.add("texture", name="jar", type="2d", file=str(paths.jar_png()))
+    mesh, texture = _look(jar)
+    root.asset.add("mesh", name="jar", file=mesh)
+    root.asset.add("texture", name="jar", type="2d", file=texture)
     root.asset.add("material", name="jar", texture="jar", specular=0, shininess=0)
     seen = {"contype": 0, "conaffinity": 0, "mass": 0, "group": 1}
     root.worldbody.add(
@@ -179,6 +180,17 @@ def _jar(jar: Jar, physics: PhysicsSettings) -> mjcf.RootElement:
     surface |= {"solref": physics.solref, "solimp": physics.solimp, "group": 3}
     fixtures.build_jar(root, jar, surface)
     return root
+
+
+def _look(jar: Jar) -> tuple[str | mjcf.Asset, str | mjcf.Asset]:
+    """Mesh and texture: files for the default jar, made here for any other."""
+    if jar == Jar():
+        return str(paths.jar_obj()), str(paths.jar_png())
+    # trimesh takes longer to load than all else here, and most scenes need none of it.
+    from prospect_mj.sim import jar_files
+
+    mesh = mjcf.Asset(jar_files.obj(jar), ".obj")
+    return mesh, mjcf.Asset(jar_files.png(jar), ".png")
 
 
 def compile_twin(settings: SceneSettings, fingers: tuple[float, ...]) -> mujoco.MjModel:

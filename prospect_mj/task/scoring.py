@@ -11,11 +11,15 @@ FLOOR_GAP = 0.01
 
 
 def is_inserted(simulation: Simulation) -> bool:
-    """Whether the jar stands on the receptacle's floor, lid up."""
+    """Whether the jar stands upright on the receptacle's floor, on either end.
+
+    Walls, rim and post alone decide which end gets there.
+    """
     props = simulation.settings.props
     centre, axis = simulation.jar_position, simulation.jar_axis
-    bottom = centre - props.jar.length / 2 * axis
+    up = axis if axis[2] > 0 else -axis
+    bottom = centre - props.jar.length / 2 * up
     aside = np.abs(bottom[:2] - props.well.position).max()
     within = aside < props.well.half_width - props.jar.body_radius / 2
     standing = bottom[2] < props.well.floor_height + FLOOR_GAP
-    return bool(within and standing and axis[2] > UPRIGHT)
+    return bool(within and standing and up[2] > UPRIGHT)

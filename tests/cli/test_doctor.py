@@ -33,6 +33,16 @@ def only(checks, name):
 
 
 @pytest.fixture
+def standard_alone(tmp_path, monkeypatch):
+    """A folder of shipped recordings with that of the standard world."""
+    folder = tmp_path / "recordings" / "standard"
+    folder.parent.mkdir()
+    folder.symlink_to(paths.RECORDINGS / "standard")
+    monkeypatch.setattr(paths, "RECORDINGS", folder.parent)
+    return folder
+
+
+@pytest.fixture
 def asked_for(monkeypatch):
     """Set what the installed distribution asks for."""
 
@@ -108,35 +118,55 @@ def test_the_cache_is_the_one_that_is_used(chosen, tmp_path, monkeypatch):
 
 
 def test_a_recording_that_is_missing_fails(tmp_path, monkeypatch):
-    monkeypatch.setattr(paths, "RECORDING", tmp_path)
-    (found,) = recordings.look_at_recording()
+    monkeypatch.setattr(paths, "RECORDINGS", tmp_path)
+    (found,) = recordings.look_at_recordings()
     assert found.level is Level.FAIL
     assert "recording.yaml" in found.found
-    assert "prospect record" in found.remedy
+    assert "prospect record --world standard" in found.remedy
 
 
-def test_a_recording_of_other_packages_says_which_to_install(monkeypatch):
-    key = recordings.RecordingKey.read(paths.RECORDING)
+def test_every_world_that_was_recorded_has_a_line(standard_alone):
+    folder = standard_alone.parent / "post"
+    folder.mkdir()
+    (folder / "recording.yaml").write_bytes(b"damaged")
+    standard, post = recordings.look_at_recordings()
+    assert (standard.level, post.level) == (Level.OK, Level.FAIL)
+    assert standard.found.startswith("standard: ")
+    assert str(folder) in post.found
+    assert "prospect record --world post" in post.remedy
+
+
+def test_a_recording_in_another_worlds_place_fails(standard_alone):
+    (standard_alone.parent / "post").symlink_to(standard_alone)
+    _, post = recordings.look_at_recordings()
+    assert post.level is Level.FAIL
+    assert post.found.endswith("post is of the world standard")
+
+
+def test_a_recording_of_other_packages_says_which_to_install(
+    standard_alone, monkeypatch
+):
+    key = recordings.RecordingKey.read(standard_alone)
     present = recordings.RecordingKey(
         key.config, key.sha256, {**key.versions, "mujoco": "9.9"}, key.machine
     )
     monkeypatch.setattr(
         recordings.RecordingKey, "present", classmethod(lambda cls, config: present)
     )
-    (found,) = recordings.look_at_recording()
+    (found,) = recordings.look_at_recordings()
     assert found.level is Level.WARN
     assert found.remedy == f"pip install 'mujoco=={key.versions['mujoco']}'"
 
 
-def test_a_recording_of_other_sources_is_to_be_made_anew(monkeypatch):
-    key = recordings.RecordingKey.read(paths.RECORDING)
+def test_a_recording_of_other_sources_is_to_be_made_anew(standard_alone, monkeypatch):
+    key = recordings.RecordingKey.read(standard_alone)
     present = recordings.RecordingKey(
         key.config, {**key.sha256, "sources": "other"}, key.versions, key.machine
     )
     monkeypatch.setattr(
         recordings.RecordingKey, "present", classmethod(lambda cls, config: present)
     )
-    (found,) = recordings.look_at_recording()
+    (found,) = recordings.look_at_recordings()
     assert "sources changed since" in found.found
     assert "prospect record" in found.remedy
 

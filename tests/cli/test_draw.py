@@ -15,6 +15,7 @@ LONG = {
     "scene": ("scene_picture", "scene_picture"),
     "replay": ("replay_picture", "replay_picture"),
     "weights": ("mind_picture", "mind_picture"),
+    "worlds": ("worlds_picture", "worlds_picture"),
 }
 """Commands that take more than two seconds: module and function behind each."""
 

@@ -12,6 +12,7 @@ from ideal_grower import IdealGrower, content, grow_ideally, grow_with, grown_tr
 from prospect_mj.cli import record
 from prospect_mj.errors import RenderingUnavailable, UnforeseenEvent
 from prospect_mj.recording import growth, provenance
+from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.packing import Packing
 from prospect_mj.recording.recording import Recording
 from prospect_mj.sim import gl
@@ -139,6 +140,7 @@ REFUSED = {
     "--pack link": "link is not a folder",
     "--grid-cells 1": "grid cells per joint is 1",
     "--gross-motion fly": "fly",
+    "--world moon": "'moon'; valid: standard, post, lamp-right, lamp-high, noisy, ",
     "--out file": "file is not a folder",
     "--out file/below": "file is not a folder",
     "--out thesis": "thesis is not empty, and no recording",
@@ -233,6 +235,18 @@ def test_another_seed_is_another_recording(elsewhere, capsys):
     capsys.readouterr()
     assert run("--out", "it", "--seed", "1") == 2
     assert "made with seed 0, not 1" in capsys.readouterr().err
+    assert content(elsewhere) == before
+
+
+def test_another_world_is_another_recording(elsewhere, capsys):
+    assert run("--out", "it", "--world", "post") == 0
+    assert RecordingKey.read(Path("it")).config.world == "post"
+    before = content(elsewhere)
+    capsys.readouterr()
+    assert run("--out", "it") == 2
+    told = capsys.readouterr().err
+    assert told.count("\n") == 1
+    assert "made with world post, not standard" in told
     assert content(elsewhere) == before
 
 

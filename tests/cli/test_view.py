@@ -45,6 +45,7 @@ BAD = {
     "--actions": "one or more",
     "--actions ,": "one or more",
     "--lid top": "top",
+    "--world moon": "'moon'; valid: standard, post",
     "--lid": "--lid",
     "--seed -1": "-1",
     "--seed 1.5": "1.5",

@@ -8,7 +8,7 @@ from importlib.util import find_spec
 import pytest
 from pages import DOCS, blocks
 
-PAGES = ("../README.md", "environment.md", "own_skill.md", "skills.md")
+PAGES = ("../README.md", "environment.md", "own_skill.md", "skills.md", "worlds.md")
 FILMS = "moviepy"
 """What Gymnasium writes films with; `make agents` installs it."""
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pyarrow as pa
 import pytest
-from ideal_grower import INSERTED, grown_tree, key
+from ideal_grower import INSERTED, INSERTIONS, grown_tree, key
 
 from prospect_mj.actions.action import Action, ActionResult
 from prospect_mj.errors import RecordingError
@@ -59,6 +59,27 @@ def test_every_edge_leads_where_the_tree_says():
             assert made.nodes.inserted[row] == (node.predicates == INSERTED)
             assert made.nodes.depth[row] == node.depth
         first += len(tree.nodes)
+
+
+def test_what_a_grasp_felt_is_padded_to_the_longest():
+    """Also across trees; what was no grasp felt nothing."""
+    felt, first = recording(table()).nodes.felt, 0
+    assert felt.dtype == np.float32
+    assert felt.shape == (len(TREES) * (usual_actions(3) + 1), 3, 2)
+    for name in TREES:
+        nodes = grown_tree(3, *name).nodes
+        assert {len(node.felt) for node in nodes} == {0, 1, 2, 3}
+        for row, node in zip(felt[first:], nodes, strict=False):
+            n = len(node.felt)
+            assert row[:n].tolist() == [list(sample) for sample in node.felt]
+            assert np.isnan(row[n:]).all()
+            assert (n == 0) == (node.action in (None, *INSERTIONS))
+        first += len(nodes)
+
+
+def test_a_recording_without_any_grasp_has_no_samples():
+    roots = pa.concat_tables([tabulated(grown_tree(0, *name)) for name in TREES])
+    assert recording(roots).nodes.felt.shape == (len(TREES), 0, 2)
 
 
 def test_what_may_not_run_leads_nowhere_and_what_is_not_known_is_unknown():

@@ -18,6 +18,8 @@ CHANGED = {
         gross_motion="cartesian"
     ),
     "it was made with grid cells 16, not 8": key(grid_cells=8),
+    "it was made with world standard, not post": key(world="post"),
+    "world changed since": replace(KEY, sha256={**KEY.sha256, "world": "ab"}),
     "it was made with mujoco 3.17.0, not 3.18.0": replace(
         KEY, versions={**KEY.versions, "mujoco": "3.18.0"}
     ),
@@ -25,7 +27,9 @@ CHANGED = {
         KEY, versions={"numpy": "2.4.6"}
     ),
     "sources changed since": replace(KEY, sha256={**KEY.sha256, "sources": "ef"}),
-    "models/torso.xml changed since": replace(KEY, sha256={"sources": "cd"}),
+    "models/torso.xml changed since": replace(
+        KEY, sha256={"sources": "cd", "world": "ef"}
+    ),
 }
 
 
@@ -87,6 +91,10 @@ DAMAGED = {
     "no such day": (EDITED.replace("3.17.0", "2024-99-99"), "it is damaged"),
     "deep": ("[" * 5000, "it is damaged"),
     "absurd seed": (edited(config={**asdict(KEY.config), "seed": -1}), "seed is -1"),
+    "unknown world": (
+        edited(config={**asdict(KEY.config), "world": "moon"}),
+        "world is 'moon'; valid: standard, post",
+    ),
     "unknown setting": (edited(config={"seed": 1, "speed": 2}), "speed"),
     "no settings": (edited(config=None), "damaged"),
     "no digests": (edited(sha256="abc"), "damaged"),

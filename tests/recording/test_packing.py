@@ -1,5 +1,6 @@
 """A packed recording is there as a whole or not at all, and takes nobody's place."""
 
+import numpy as np
 import pytest
 from ideal_grower import content, grown_tree, key
 
@@ -52,7 +53,7 @@ def test_only_the_states_are_left_out(target, tmp_path):
     packed = Recording.load(target)
     whole = Recording.of(KEY, TABLES[0])
     for name, array in vars(whole.nodes).items():
-        assert getattr(packed.nodes, name).tolist() == array.tolist()
+        np.testing.assert_array_equal(getattr(packed.nodes, name), array)
 
 
 def test_nothing_is_not_packed(target, tmp_path):

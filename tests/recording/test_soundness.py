@@ -34,6 +34,12 @@ def shown(**values):
     return table()["shown"][FIRST].as_py() | values
 
 
+def felt(**values):
+    """What a grasp felt, with one sample changed."""
+    samples = table()["felt"][NODE].as_py()
+    return [*samples, samples[0] | values]
+
+
 def test_what_was_recorded_is_sound():
     soundness.check(table(), PATH)
     for depth in (0, 3):
@@ -88,6 +94,12 @@ def test_a_missing_value_is_noticed(name):
         (LAST, {"result": "lost"}, "insert-right can't end in lost: "),
         (LAST, {"right_place": "at rest"}, "insert-right can't end in jammed: "),
         (NODE, {"action": 5}, "insert-right may not run from: left empty at rest"),
+        (NODE, {"felt": [None]}, "a grasp's trajectory is not whole"),
+        (NODE, {"felt": felt(seconds=None)}, "a grasp's trajectory is not one of"),
+        (NODE, {"felt": felt(residual=None)}, "a grasp's trajectory is not one of"),
+        (NODE, {"felt": felt(seconds=-0.1)}, "a grasp's trajectory is not one of"),
+        (NODE, {"felt": felt(residual=-0.1)}, "a grasp's trajectory is not one of"),
+        (NODE, {"felt": felt(residual=float("nan"))}, "a grasp's trajectory is not"),
         (FIRST, {"shown": shown(histogram=[1] * 99)}, "a histogram is not whole"),
         (FIRST, {"shown": shown(histogram=[-1] * 100)}, "a histogram is not whole"),
         (FIRST, {"shown": shown(histogram=[])}, "a histogram is not whole"),

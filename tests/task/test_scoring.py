@@ -63,8 +63,10 @@ def test_a_jar_held_above_the_floor_is_not_in(rig, height):
     assert not place(rig, STANDING + [0, 0, height])
 
 
-def test_an_upside_down_jar_is_not_in_even_if_it_were_there(rig):
-    assert not place(rig, STANDING, Rotation.from_euler("x", np.pi))
+def test_a_jar_that_stands_on_its_lid_would_be_in(rig):
+    """Which end gets there is up to walls, rim and post, and not to the referee."""
+    assert place(rig, STANDING, Rotation.from_euler("x", np.pi))
+    assert place(rig, STANDING, Rotation.from_euler("xz", [np.pi, 2.0]))
 
 
 def test_an_upside_down_jar_cannot_stay_there_anyway(rig):
@@ -75,5 +77,7 @@ def test_an_upside_down_jar_cannot_stay_there_anyway(rig):
 
 
 @pytest.mark.parametrize("degrees", [15, 45, 90])
-def test_a_leaning_jar_is_not_in(rig, degrees):
-    assert not place(rig, STANDING, Rotation.from_euler("x", degrees, degrees=True))
+@pytest.mark.parametrize("from_end", [0, 180])
+def test_a_leaning_jar_is_not_in(rig, degrees, from_end):
+    leaning = Rotation.from_euler("x", from_end + degrees, degrees=True)
+    assert not place(rig, STANDING, leaning)

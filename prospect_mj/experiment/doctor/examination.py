@@ -12,7 +12,7 @@ LOOKS: dict[str, Look] = {
     "cores": machine.look_at_cores,
     "memory": machine.look_at_memory,
     "places": machine.look_at_places,
-    "recorded physics": recorded.look_at_recording,
+    "recorded physics": recorded.look_at_recordings,
     "rendering": rendering.look_at_rendering,
     "display": rendering.look_at_display,
 }

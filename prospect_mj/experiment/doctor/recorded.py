@@ -1,29 +1,54 @@
-"""Whether the recording that comes with the package is what physics does here."""
+"""Whether the recordings that come with the package are what physics does here."""
+
+from pathlib import Path
 
 from prospect_mj import paths
-from prospect_mj.errors import ProspectError
+from prospect_mj.errors import ProspectError, RecordingError
 from prospect_mj.experiment.doctor.check import Check, Level
+from prospect_mj.recording import shipped
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
+from prospect_mj.recording.worlds import STANDARD
 
 _NAME = "recorded physics"
-_ANEW = "prospect record --out runs/recording --pack runs/packed, and put runs/packed"
 
 
-def look_at_recording() -> list[Check]:
-    """The shipped recording: whole, and of the present sources, models and packages."""
-    anew = f"{_ANEW} in the place of {paths.RECORDING}"
+def look_at_recordings() -> list[Check]:
+    """Each shipped recording: whole, and of the present sources, models and packages.
+
+    That of the standard world must be there.
+    """
+    others = [world for world in shipped.worlds() if world != STANDARD]
+    return [_look_at(world) for world in (STANDARD, *others)]
+
+
+def _look_at(world: str) -> Check:
+    folder = paths.RECORDINGS / world
+    anew = (
+        f"prospect record --world {world} --out runs/{world} --pack runs/packed, and "
+        f"put runs/packed in the place of {folder}"
+    )
     try:
-        recording = Recording.load(paths.RECORDING)
+        recording = _load(folder, world)
     except (ProspectError, OSError) as error:
-        return [Check(_NAME, Level.FAIL, str(error), f"install it again, or {anew}")]
+        return Check(_NAME, Level.FAIL, str(error), f"install it again, or {anew}")
     present = RecordingKey.present(recording.key.config)
     changed = recording.key.differences(present)
     if not changed:
         n_shown = len(recording.presentations.lid)
-        return [Check(_NAME, Level.OK, f"{n_shown} presentations, of these sources")]
-    found = f"may differ from live physics: {'; '.join(changed)}"
-    return [Check(_NAME, Level.WARN, found, _remedy(recording.key, present, anew))]
+        found = f"{world}: {n_shown} presentations, of these sources"
+        return Check(_NAME, Level.OK, found)
+    found = f"{world}: may differ from live physics: {'; '.join(changed)}"
+    return Check(_NAME, Level.WARN, found, _remedy(recording.key, present, anew))
+
+
+def _load(folder: Path, world: str) -> Recording:
+    """The recording in a folder that has the name of its world."""
+    recording = Recording.load(folder)
+    made_in = recording.key.config.world
+    if made_in != world:
+        raise RecordingError(f"{folder} is of the world {made_in}")
+    return recording
 
 
 def _remedy(key: RecordingKey, present: RecordingKey, anew: str) -> str:

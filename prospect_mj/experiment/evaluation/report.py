@@ -64,7 +64,7 @@ class Report:
         evaluation = view.evaluation
         if evaluation is None:
             raise InvalidValue("view", view.path, "an evaluation")
-        found = TrialStrategies.of(view.trials, view.actions)
+        found = TrialStrategies.of(view.trials, view.actions, view.config.world)
         n_actions = view.trials["n_actions"].to_numpy()
         solved = view.trials["solved"].to_numpy()
         most = view.config.max_actions

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from prospect_mj.errors import RecordingError
 from prospect_mj.experiment.run.config import TrainConfig
+from prospect_mj.recording import shipped
 from prospect_mj.recording.hands import NUMBERS
 from prospect_mj.recording.recording import Recording
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
@@ -53,7 +54,10 @@ def _sources(
         # The run may have been made elsewhere.
         if path.is_dir():
             yield "its recording", _recorded(Recording.load(path))
-    yield "the shipped recording", _recorded(Recording.load())
+    yield (
+        "the shipped recording",
+        _recorded(Recording.load(shipped.folder(config.world))),
+    )
 
 
 def _recorded(recording: Recording) -> dict[Orientation, NDArray[np.int64]]:

@@ -46,7 +46,7 @@ def strategies(run: RunView) -> bytes:
     Returns:
         The picture as PNG.
     """
-    found = TrialStrategies.of(run.trials, run.actions)
+    found = TrialStrategies.of(run.trials, run.actions, run.config.world)
     kinds, single = _kinds(run, found)
     edges = set_edges(run.n_trials, run.config.pretrain)
     size = set_size(run.n_trials)

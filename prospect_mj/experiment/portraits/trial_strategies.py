@@ -11,7 +11,8 @@ from prospect_mj.experiment.paper.measures.bootstrap import Floats
 from prospect_mj.experiment.paper.measures.curves import ratio
 from prospect_mj.experiment.populations.strategies import Strategy, classify
 from prospect_mj.experiment.run.learning_curve import BLOCK
-from prospect_mj.recording.hands import NUMBERS
+from prospect_mj.recording.hands import NUMBERS, inserting_hand
+from prospect_mj.recording.worlds import STANDARD
 
 SET = 50
 """Trials whose shares are taken together; of a short run `BLOCK`."""
@@ -28,12 +29,13 @@ class TrialStrategies:
     """(n,), numbers of `Strategy`."""
 
     @classmethod
-    def of(cls, trials: pa.Table, actions: pa.Table) -> Self:
+    def of(cls, trials: pa.Table, actions: pa.Table, world: str = STANDARD) -> Self:
         """Classify trials by the actions in a run's tables.
 
         Args:
             trials: under `records.TRIAL_SCHEMA`, at least one.
             actions: theirs, under `records.ACTION_SCHEMA`.
+            world: in which they were run; it decides which hand inserts.
         """
         lid = np.array(
             [NUMBERS[side] for side in trials["orientation"].to_pylist()], np.int8
@@ -46,7 +48,7 @@ class TrialStrategies:
             spread = np.zeros(shape, column.dtype)
             spread[cells] = column
             padded.append(spread)
-        return cls(lid, classify(lid, *padded))
+        return cls(lid, classify(inserting_hand(lid, world), *padded))
 
     def shares(self, of_kind: NDArray[np.bool_], edges: NDArray[np.intp]) -> Floats:
         """Share of each strategy in sets of trials.

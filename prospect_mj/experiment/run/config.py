@@ -5,7 +5,6 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Self, get_args
 
-from prospect_mj import paths
 from prospect_mj.agent.failed_actions import FailedActions
 from prospect_mj.agent.features import N_FEATURES, FeatureSettings
 from prospect_mj.agent.haptics import N_HOLDINGS
@@ -15,12 +14,14 @@ from prospect_mj.checks import check_choice, check_integer, check_names
 from prospect_mj.envs.settings import Physics
 from prospect_mj.errors import InvalidValue, ProspectError
 from prospect_mj.experiment.run.records import ACTION_NAMES
+from prospect_mj.recording import shipped
 from prospect_mj.recording.config import (
     LARGEST_SEED,
     MOST_CELLS,
     GrossMotion,
     ObjectPose,
 )
+from prospect_mj.recording.worlds import STANDARD, WORLDS
 from prospect_mj.supervisor.supervisor import Mode, Supervisor
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
@@ -49,7 +50,8 @@ class TrainConfig:
     """live: every action is simulated; recorded: what it led to when it was simulated
     before is looked up."""
     recording: str | None = None
-    """Folder of a recording; default: the one that comes with the package."""
+    """Folder of a recording; default: the one of the world that comes with the
+    package."""
     grow: bool = False
     """Simulate outcomes that the recording lacks, and add them to it."""
     object_pose: ObjectPose = "vision"
@@ -59,6 +61,9 @@ class TrainConfig:
     of everything; cartesian: straight, as an ablation."""
     grid_cells: int = 16
     """Of harmonic movements: cells of the coarsest grid for each of its four joints."""
+    world: str = STANDARD
+    """What stands round the torso, and how well its eyes see: standard, post,
+    lamp-right, lamp-high, noisy, ring-label, wide-lid or narrow-lid."""
     max_actions: int = 10
     """A trial is cut off after this many actions."""
     bootstrap_at_truncation: bool = True
@@ -83,6 +88,7 @@ class TrainConfig:
         check_choice("object pose", self.object_pose, get_args(ObjectPose))
         check_choice("gross motion", self.gross_motion, get_args(GrossMotion))
         check_integer("grid cells per joint", self.grid_cells, 2, MOST_CELLS)
+        check_choice("world", self.world, WORLDS)
         if not isinstance(self.bootstrap_at_truncation, bool):
             raise InvalidValue(
                 "bootstrap at truncation", self.bootstrap_at_truncation, "true or false"
@@ -125,8 +131,14 @@ class TrainConfig:
 
     @property
     def recording_folder(self) -> Path:
-        """Where recorded physics is looked up."""
-        return paths.RECORDING if self.recording is None else Path(self.recording)
+        """Where recorded physics is looked up.
+
+        Raises:
+            RecordingError: if none of this world comes with the package.
+        """
+        if self.recording is None:
+            return shipped.folder(self.world)
+        return Path(self.recording)
 
     def with_trials(self, trials: int) -> Self:
         """The same run, longer or shorter."""

@@ -58,6 +58,7 @@ def make_environment(config: TrainConfig) -> Environment:
         object_pose=config.object_pose,
         gross_motion=config.gross_motion,
         grid_cells=config.grid_cells,
+        world=config.world,
         max_actions=config.max_actions,
         features=config.features,
     )

@@ -17,12 +17,14 @@ from prospect_mj.recording.provenance import (
     sha256,
     source_digest,
 )
+from prospect_mj.recording.worlds import WORLDS
 
 _PACKAGE = Path(paths.__file__).parent
 
 CONFIGURATION = "configuration"
 LEARNER = "learner"
 RECORDING = "recording"
+WORLD = "world"
 PRESENTATIONS = "number of presentations to draw from"
 _SHARED_CODE = (
     "agent/choice.py",
@@ -48,7 +50,8 @@ def digests(config: TrainConfig) -> dict[str, str]:
 
     Returns:
         Hexadecimal digest of the configuration, of each model file, of the learner's
-        code, and of recorded physics or of the sources of live physics, by name.
+        code, and of recorded physics or of the sources and the world of live physics,
+        by name.
 
     Raises:
         MissingFile: if a model file is missing.
@@ -59,7 +62,8 @@ def digests(config: TrainConfig) -> dict[str, str]:
     found |= model_digests()
     if config.physics == "recorded":
         return found | _recording_digests(config)
-    return found | {"sources": source_digest()}
+    world = {WORLD: WORLDS[config.world].digest}
+    return found | {"sources": source_digest()} | world
 
 
 def learner_code(name: str) -> tuple[str, ...]:

@@ -10,9 +10,11 @@ import numpy as np
 from prospect_mj.actions.action import ActionOutcome
 from prospect_mj.episodes.recorder import WatchedTask
 from prospect_mj.experiment.watching.shown import Shown
+from prospect_mj.recording.config import RecordingConfig
+from prospect_mj.recording.grower import task_settings
 from prospect_mj.replay.video import film
 from prospect_mj.sim import overview
-from prospect_mj.task.pick_place import PickPlaceTask
+from prospect_mj.task.pick_place import PickPlaceTask, TaskSettings
 from prospect_mj.viewer import Viewer
 
 FRAME_RATE = 60.0
@@ -37,7 +39,7 @@ def in_window(shown: Shown) -> Iterator[ActionOutcome | None]:
         What each action did, when it has ended; then None, as all that is left is
         to look at what came of it. Both end early with the window.
     """
-    with PickPlaceTask() as task:
+    with PickPlaceTask(_settings(shown)) as task:
         task.reset(shown.lid, np.random.default_rng(shown.seed))
         simulation = task.simulation
         # Only now: the eyes have looked by their own light.
@@ -65,12 +67,17 @@ def in_film(shown: Shown, path: Path) -> Iterator[ActionOutcome]:
     Yields:
         What each action did, when it has ended.
     """
-    with WatchedTask(PickPlaceTask()) as task:
+    with WatchedTask(PickPlaceTask(_settings(shown))) as task:
         task.reset(shown.lid, np.random.default_rng(shown.seed))
         for action in shown.actions:
             yield task.execute(action)
         episode = task.episode()
     film(episode, path)
+
+
+def _settings(shown: Shown) -> TaskSettings:
+    """Those of its world."""
+    return task_settings(RecordingConfig(world=shown.world))
 
 
 class Pace:

@@ -16,7 +16,8 @@ from prospect_mj.experiment.populations.strategies import Strategy, classify
 from prospect_mj.experiment.run.kept_episodes import path_of
 from prospect_mj.experiment.view.run_view import RunView
 from prospect_mj.experiment.watching.resimulate import resimulate
-from prospect_mj.recording.hands import NUMBERS
+from prospect_mj.recording.hands import NUMBERS, inserting_hand
+from prospect_mj.recording.worlds import STANDARD
 from prospect_mj.replay.rerun_export import Decision, Story
 
 Say = Callable[[str], None]
@@ -158,7 +159,8 @@ def replayed(run: RunView, number: int, say: Say) -> Replayed:
         episode = resimulate(run, trial, actions)
     decisions = [Decision(np.array(a["q_values"]), a["explored"]) for a in actions]
     name = run.path.resolve().name
-    title = f"{name}, trial {number}: {strategy(trial, actions)}"
+    told = strategy(trial, actions, run.config.world)
+    title = f"{name}, trial {number}: {told}"
     return Replayed(episode, Story(title, decisions))
 
 
@@ -170,19 +172,23 @@ def _kept(path: Path, origin: str) -> Episode:
         raise EpisodeError(f"{error}; {advice}") from error
 
 
-def strategy(trial: dict[str, Any], actions: list[dict[str, Any]]) -> str:
+def strategy(
+    trial: dict[str, Any], actions: list[dict[str, Any]], world: str = STANDARD
+) -> str:
     """The strategy of a trial in words.
 
     Args:
         trial: its row of the table of trials.
         actions: its rows of the table of actions, in order.
+        world: in which it was run; it decides which hand inserts.
     """
     columns = ("action", "executed", "inserted")
     action, executed, inserted = (
         np.array([row[name] for row in actions]) for name in columns
     )
     lid = np.int8(NUMBERS[trial["orientation"]])
-    kind = Strategy(int(classify(lid, action, executed, inserted)))
+    hand = inserting_hand(lid, world)
+    kind = Strategy(int(classify(hand, action, executed, inserted)))
     if kind in _WORDS:
         return _WORDS[kind]
     return "solved in another way" if trial["solved"] else "not solved"

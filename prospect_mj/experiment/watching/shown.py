@@ -6,6 +6,7 @@ from prospect_mj.actions.action import Action
 from prospect_mj.checks import check_choice, check_integer, check_number
 from prospect_mj.errors import InvalidValue
 from prospect_mj.recording.config import LARGEST_SEED
+from prospect_mj.recording.worlds import STANDARD, WORLDS
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
 
@@ -21,11 +22,14 @@ class Shown:
     """Of the presentation."""
     speed: float = 1.0
     """Simulated seconds per second that a window shows."""
+    world: str = STANDARD
+    """What stands round the torso."""
 
     def __post_init__(self) -> None:
         """Refuse what can't be shown."""
         check_choice("lid", self.lid, ORIENTATIONS)
         check_integer("seed", self.seed, 0, LARGEST_SEED)
         check_number("speed", self.speed, 0.01, 100.0)
+        check_choice("world", self.world, WORLDS)
         if not self.actions:
             raise InvalidValue("actions", "", "one or more")

@@ -1,4 +1,4 @@
-"""The README's pictures that are made by running something."""
+"""The pictures of the pages that are made by running something."""
 
 from contextlib import nullcontext
 from itertools import pairwise
@@ -9,7 +9,13 @@ import cv2
 import numpy as np
 import pytest
 
-from prospect_mj.experiment.pictures import mind_picture, replay_picture, scene_picture
+from prospect_mj.experiment.pictures import (
+    mind_picture,
+    replay_picture,
+    scene_picture,
+    worlds_picture,
+)
+from prospect_mj.experiment.pictures.post_pictures import post_pictures
 from prospect_mj.experiment.portraits.run_frame import name_of
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -90,3 +96,41 @@ def test_the_picture_in_the_docs_begins_with_the_line_below_the_bar():
     line, below = shown[0, 1:-1], shown[1:3, 1:-1]
     assert line.std(axis=0).max() < 4
     assert line.mean() > below.mean() + 15
+
+
+@pytest.mark.gl
+def test_every_world_has_a_cell_with_the_pixels_of_the_eye(monkeypatch):
+    worlds = {name: worlds_picture.WORLDS[name] for name in ("noisy", "standard")}
+    green = np.full((200, 200, 3), (20, 200, 20), np.uint8)
+    post = {word: green for word in "abcd"}
+    monkeypatch.setattr(worlds_picture, "WORLDS", worlds)
+    monkeypatch.setattr(worlds_picture, "post_pictures", lambda size: post)
+    ticks = []
+    picture = decoded(worlds_picture.worlds_picture(lambda: ticks.append(1)))
+    assert len(ticks) == len(worlds) + 1
+    rows, columns = (2 * side for side in worlds_picture.CROP)
+    caption, gap = worlds_picture.CAPTION, worlds_picture.GAP
+    assert picture.shape == (rows + 200 + 2 * caption, 4 * columns + gap, 3)
+    assert (picture[-200:, :200] == (20, 200, 20)).all()
+    seen = picture[caption : caption + rows]
+    cells = seen[:, : 2 * columns], seen[:, -2 * columns :]
+    # Each pixel of the eye is four of the picture.
+    assert all((cell[::2, ::2] == cell[1::2, 1::2]).all() for cell in cells)
+    dark = [cell[:10].astype(float).std() for cell in cells]
+    assert dark[0] > 2 * dark[1]
+
+
+@pytest.mark.gl
+def test_the_post_is_seen_to_stop_one_end_and_not_the_other():
+    pictures = post_pictures(80)
+    _, post, jammed, inserted = (p.astype(float) for p in pictures.values())
+    assert {picture.shape for picture in pictures.values()} == {(80, 80, 3)}
+    brass = [count_brass(picture) for picture in (post, jammed, inserted)]
+    # All of it, what a jar that stands on it leaves free, and nothing.
+    assert brass[0] > brass[1] > brass[2] == 0
+    assert np.abs(jammed - inserted).mean() > 5
+
+
+def count_brass(picture):
+    red, green, blue = picture.transpose(2, 0, 1)
+    return int(((red > 1.15 * green) & (green > 2 * blue) & (red > 110)).sum())

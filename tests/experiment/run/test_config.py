@@ -51,6 +51,7 @@ def test_dictionary_round_trip():
         ({"dominant": "both"}, "left, right"),
         ({"supervisor": "strict"}, "none, safe, productive"),
         ({"object_pose": "guess"}, "vision, truth"),
+        ({"world": "moon"}, "world is 'moon'; valid: standard, post"),
         ({"shaping": ("push-left:3",)}, "grasp-left, grasp-right, swap-left-to-right"),
         ({"shaping": ("grasp-left:-1",)}, "trials of grasp-left in shaping is '-1'"),
         ({"shaping": ("grasp-left",)}, "<action>:<trials>"),

@@ -1,4 +1,7 @@
-"""The jar as the camera sees it: assets/jar.obj and its texture assets/jar.png."""
+"""A jar as the camera sees it: assets/jar.obj and its texture assets/jar.png.
+
+Those are of the default jar; what other jars look like is made when they are.
+"""
 
 import itertools
 from pathlib import Path
@@ -26,7 +29,11 @@ def profile(jar: Jar) -> list[tuple[tuple[float, float], tuple[float, float]]]:
     points += [(jar.body_radius, low + BEVEL), (jar.body_radius, rim)]
     points += [(jar.lid_radius - BEVEL, rim), (jar.lid_radius, rim + BEVEL)]
     points += [(jar.lid_radius, high - BEVEL), (jar.lid_radius - BEVEL, high)]
-    points += [(0.0, high)]
+    if jar.recess is not None:
+        end = high - jar.recess.depth
+        points += [(jar.recess.radius, high), (jar.recess.radius, end), (0.0, end)]
+    else:
+        points += [(0.0, high)]
     return list(itertools.pairwise(points))
 
 
@@ -53,12 +60,21 @@ def texture(jar: Jar) -> np.ndarray:
     return np.repeat(rows[:, None, :], 8, axis=1)
 
 
-def write(folder: Path) -> None:
-    """Write both files into `folder`."""
-    jar = Jar()
+def obj(jar: Jar) -> bytes:
+    """The mesh as a Wavefront file."""
     text = trimesh.exchange.obj.export_obj(
         mesh(jar), include_normals=True, digits=6, write_texture=False, header=None
     )
     lines = [line for line in text.splitlines() if not line.startswith(("mtl", "usem"))]
-    (folder / "jar.obj").write_text("\n".join(lines) + "\n")
-    cv2.imwrite(str(folder / "jar.png"), texture(jar)[:, :, ::-1])
+    return ("\n".join(lines) + "\n").encode()
+
+
+def png(jar: Jar) -> bytes:
+    """The texture as a PNG file."""
+    return cv2.imencode(".png", texture(jar)[:, :, ::-1])[1].tobytes()
+
+
+def write(folder: Path) -> None:
+    """Write both files of the default jar into `folder`."""
+    (folder / "jar.obj").write_bytes(obj(Jar()))
+    (folder / "jar.png").write_bytes(png(Jar()))
