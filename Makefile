@@ -45,8 +45,7 @@ live: $(RUNTIME) $(GL) ## live runs to compare with, some hours: RUNS=20, OUT=<f
 	$${OUT:+--out="$$OUT"} $(ARGS)
 
 development: $(RUNTIME) $(RIVALS) $(GL) ## who develops as infants do: RUNS=1000, OUT=<folder>
-	@$(BIN)/prospect development --runs="$$RUNS" $${OUT:+--out="$$OUT"} \
-	--parts learners causal population found rivals $(ARGS)
+	@$(BIN)/prospect development --runs="$$RUNS" $${OUT:+--out="$$OUT"} $(ARGS)
 
 test: lint $(GL) ## lint, then every fast test
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal $(ARGS)

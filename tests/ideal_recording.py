@@ -110,5 +110,6 @@ def row(lid, number, node, state, **others):
         "right_holds": state.right.holding,
         "right_place": str(state.right.place),
         "jar": str(state.jar),
+        "felt": [],
         **others,
     }

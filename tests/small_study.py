@@ -12,10 +12,10 @@ from prospect_mj.experiment.development.study import splits
 from prospect_mj.experiment.development.study.recordings import Recordings
 from prospect_mj.experiment.development.study.settings import (
     CHANGES,
-    STANDARD,
-    WORLDS,
+    IMAGE_WORLDS,
     StudySettings,
 )
+from prospect_mj.recording.worlds import STANDARD
 
 SETTINGS = StudySettings(
     runs=3, setting_runs=2, deep_runs=2, deep_trials=50, grasped=0, planned=0
@@ -41,7 +41,7 @@ def recordings():
     two = partial(recording, depth=10)
     made = {"post": two(left=(lid_first,) * 2, right=(lid_first,) * 2)}
     standard = two(left=(ideal,) * 2, right=(ideal,) * 2)
-    for number, world in enumerate(dict.fromkeys((*WORLDS, *CHANGES))):
+    for number, world in enumerate(dict.fromkeys((*IMAGE_WORLDS, *CHANGES))):
         deviation = 0.0 if world == STANDARD else 0.1 * number
         made.setdefault(world, noisy(standard, deviation, number))
     return Recordings({STANDARD: made[STANDARD], **made})

@@ -12,7 +12,7 @@ from prospect_mj.checks import check_integer
 from prospect_mj.cli import command_line
 from prospect_mj.cli.output import Output
 from prospect_mj.experiment.development.development import develop
-from prospect_mj.experiment.development.study.recordings import Recordings, there
+from prospect_mj.experiment.development.study.recordings import Recordings
 from prospect_mj.experiment.development.study.settings import Extent, StudySettings
 from prospect_mj.experiment.development.study.tables import MEASURED
 from prospect_mj.experiment.populations.population import MOST_JOBS
@@ -64,20 +64,14 @@ def main(argv: Sequence[str] | None = None, prog: str = "development.py") -> int
 
 
 def _develop(options: DevelopmentOptions) -> None:
-    # If nothing was asked for by name, all that there are recordings for.
-    asked = options.extent
-    extent = asked if options.recordings is not None else there(asked)
-    recordings = Recordings.load(
-        extent.all_worlds, options.recording, options.recordings
-    )
-    if lacking := [w for w in asked.all_worlds if w not in extent.all_worlds]:
-        options.output.say(f"left out, for want of recordings: {', '.join(lacking)}")
+    worlds = options.extent.all_worlds
+    recordings = Recordings.load(worlds, options.recording, options.recordings)
     for recording in recordings.by_world.values():
         recording.warn_if_foreign()
     path = develop(
         options.out,
         options.config,
-        extent,
+        options.extent,
         recordings,
         options.recording,
         options.jobs,

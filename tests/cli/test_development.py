@@ -11,11 +11,11 @@ from prospect_mj import paths
 from prospect_mj.cli import development as command
 from prospect_mj.errors import MissingPackage
 from prospect_mj.experiment.development import development
-from prospect_mj.experiment.development.study import learners, ready, recordings
+from prospect_mj.experiment.development.study import learners, ready
 from prospect_mj.experiment.development.study.recordings import Recordings
-from prospect_mj.experiment.development.study.settings import PARTS, Extent
 from prospect_mj.experiment.populations import digests, store
 from prospect_mj.locking import LockedFolder
+from prospect_mj.recording import shipped
 from prospect_mj.recording.key import RecordingKey
 
 SIZES = ("--runs", "3", "--setting-runs", "2", "--grasped", "0", "--planned", "0")
@@ -44,7 +44,6 @@ def made(monkeypatch):
         return Recordings({world: by_world[world] for world in worlds})
 
     monkeypatch.setattr(Recordings, "load", load)
-    monkeypatch.setattr(recordings, "_is_shipped", lambda world: True)
     return by_world
 
 
@@ -131,17 +130,16 @@ def test_bad_input_is_one_line(existing, refused, options, words):
     assert words in refused(lambda: command.main(options.split()))
 
 
-def test_a_world_asked_for_by_name_must_be_there(existing, refused, monkeypatch):
-    monkeypatch.setattr(recordings, "SHIPPED", existing / "full")
-    options = ["--parts", "worlds", "--worlds", "standard", "noisy"]
-    line = refused(lambda: command.main(options))
-    assert "full has no recording of world noisy; --parts or --worlds" in line
+def test_a_world_that_was_not_recorded_is_refused(refused, monkeypatch):
+    monkeypatch.setattr(shipped, "worlds", lambda: ("standard",))
+    line = refused(lambda: command.main(["--parts", "worlds"]))
+    assert "no recording of world lamp-right comes with the package" in line
 
 
 def test_one_that_lacks_the_variation_is_refused(existing, refused):
     folder = existing / "others"
     folder.mkdir()
-    (folder / "post").symlink_to(paths.ASSETS / "recording")
+    (folder / "post").symlink_to(paths.RECORDINGS / "standard")
     options = ["--parts", "change", "--changes", "post", "--recordings", "others"]
     line = refused(lambda: command.main(options))
     assert "others/post holds a recording of world standard, not post" in line
@@ -158,34 +156,3 @@ def test_a_machine_that_lacks_what_a_part_needs_is_told_at_once(
     (line,) = capsys.readouterr().err.splitlines()
     assert "torch" in line
     assert not list(tmp_path.iterdir())
-
-
-@pytest.mark.parametrize(
-    ("shipped", "parts", "worlds"),
-    [
-        (("noisy", "post"), PARTS, ("standard", "noisy", "post")),
-        (("noisy",), [p for p in PARTS if p != "change"], ("standard", "noisy")),
-        ((), [p for p in PARTS if p not in ("change", "worlds")], ("standard",)),
-    ],
-)
-def test_without_being_asked_only_worlds_are_made_that_are_there(
-    monkeypatch, shipped, parts, worlds
-):
-    monkeypatch.setattr(recordings, "_is_shipped", lambda world: world in shipped)
-    found = recordings.there(Extent())
-    assert list(found.parts) == list(parts)
-    assert found.all_worlds == worlds
-    named = Extent(("worlds",), ("standard", "ring-label"))
-    assert recordings.there(named) == named
-
-
-def test_what_was_left_out_is_told(made, monkeypatch, capsys, tmp_path):
-    asked = []
-    monkeypatch.setattr(recordings, "_is_shipped", lambda world: world == "noisy")
-    monkeypatch.setattr(
-        command, "develop", lambda *given: asked.append(given) or tmp_path / "report"
-    )
-    assert command.main(SIZES) == 0
-    words = "left out, for want of recordings: lamp-right, lamp-high, ring-label, post"
-    assert words in capsys.readouterr().out.splitlines()
-    assert "change" not in asked[0][2].parts

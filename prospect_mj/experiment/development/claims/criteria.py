@@ -4,16 +4,31 @@ The bounds of infants' order are those that the study was set before it was made
 criterion is asked of every learner under every rule, controls among them.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from math import inf
+from typing import Protocol
 
-from prospect_mj.experiment.development.claims.findings import Findings
+from prospect_mj.experiment.paper.measures.bootstrap import Interval
 from prospect_mj.experiment.paper.measures.quantity import Kind, number, with_interval
 from prospect_mj.experiment.paper.measures.target import Target, Verdict
 
 CONFIDENT = 0.95
 """Share of the resamples that an order takes."""
+
+
+class Figures(Protocol):
+    """What criteria need to know of a population."""
+
+    @property
+    def measured(self) -> Mapping[str, Interval]:
+        """Each of `MEASURES`, by name."""
+        ...
+
+    @property
+    def order(self) -> float:
+        """Share of the resamples in which late corrections go before early ones [1]."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -33,13 +48,13 @@ class Criterion:
     """In tables."""
     words: str
     """What is asked, in words."""
-    judge: Callable[[Findings], Judged]
+    judge: Callable[[Figures], Judged]
 
 
-def _measured(name: str, kind: Kind, target: Target) -> Callable[[Findings], Judged]:
+def _measured(name: str, kind: Kind, target: Target) -> Callable[[Figures], Judged]:
     """A measure that must be in a range, with all of its interval."""
 
-    def judge(findings: Findings) -> Judged:
+    def judge(findings: Figures) -> Judged:
         found = findings.measured[name]
         unit = " trials" if kind is Kind.TRIAL else ""
         return Judged(target.verdict(found), with_interval(found, kind) + unit)
@@ -47,7 +62,7 @@ def _measured(name: str, kind: Kind, target: Target) -> Callable[[Findings], Jud
     return judge
 
 
-def _ordered(findings: Findings) -> Judged:
+def _ordered(findings: Figures) -> Judged:
     late, early = (
         number(findings.measured[name].estimate, Kind.TRIAL)
         for name in ("late_gone", "early_gone")
@@ -56,7 +71,7 @@ def _ordered(findings: Findings) -> Judged:
     return Judged(by_share(findings.order), words)
 
 
-def _unordered(findings: Findings) -> Judged:
+def _unordered(findings: Figures) -> Judged:
     judged = _ordered(findings)
     return Judged(by_share(1.0 - findings.order), judged.words)
 

@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Callable, Iterator
-from dataclasses import asdict
 from pathlib import Path
 from typing import NamedTuple
 
@@ -23,7 +22,9 @@ from prospect_mj.experiment.development.haptics.grasp import (
     of_table,
     table,
 )
-from prospect_mj.experiment.development.haptics.jars import JARS
+from prospect_mj.experiment.development.haptics.settings import JARS
+from prospect_mj.recording.config import RecordingConfig
+from prospect_mj.recording.grower import task_settings
 from prospect_mj.recording.hands import GRASPS, NUMBERS, SWAPS
 from prospect_mj.recording.provenance import (
     installed_versions,
@@ -32,10 +33,10 @@ from prospect_mj.recording.provenance import (
     source_digest,
 )
 from prospect_mj.recording.workers import Workers
+from prospect_mj.recording.worlds import WORLDS
 from prospect_mj.robot.names import SIDES, Side, other
-from prospect_mj.sim.scene import SceneSettings
 from prospect_mj.storage import make_folder, replace_file
-from prospect_mj.task.pick_place import PickPlaceTask, TaskSettings
+from prospect_mj.task.pick_place import PickPlaceTask
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
 _HAPTICS = 4
@@ -54,7 +55,7 @@ class Share(NamedTuple):
     def digest(self) -> str:
         """Of all that decides what is felt."""
         decides = self._asdict() | {
-            "props": asdict(JARS[self.jar]),
+            "world": WORLDS[self.jar].digest,
             "sources": source_digest(),
             "models": model_digests(),
             "versions": installed_versions(),
@@ -112,8 +113,7 @@ def _made(share: Share) -> tuple[Share, list[Grasp]]:
 
 def grasped(share: Share) -> list[Grasp]:
     """Present a jar, take it with either hand, and hand it over; those that held."""
-    scene = SceneSettings(props=JARS[share.jar])
-    with PickPlaceTask(TaskSettings(scene=scene)) as task:
+    with PickPlaceTask(task_settings(RecordingConfig(world=share.jar))) as task:
         return [
             grasp
             for number in range(share.presentations)

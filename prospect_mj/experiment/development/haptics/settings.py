@@ -6,6 +6,11 @@ from prospect_mj.checks import check_integer
 from prospect_mj.errors import InvalidValue
 from prospect_mj.haptics import ClusterSettings
 from prospect_mj.recording.config import LARGEST_SEED
+from prospect_mj.recording.worlds import STANDARD
+
+JARS = (STANDARD, "wide-lid", "narrow-lid")
+"""Worlds whose jar is grasped live: lids of 45, 48 and 42 mm radius on a body of 36 mm.
+One of 38 mm the eyes take for no lid."""
 
 _LEAST_GRASPED = 8
 """Two presentations of each orientation: one to learn from, one to be tried on."""

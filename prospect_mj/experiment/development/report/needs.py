@@ -3,9 +3,12 @@
 from collections.abc import Mapping
 
 from prospect_mj.experiment.development.claims.claims import Claim
-from prospect_mj.experiment.development.claims.criteria import LIKE_INFANTS, all_of
+from prospect_mj.experiment.development.claims.criteria import (
+    LIKE_INFANTS,
+    Figures,
+    all_of,
+)
 from prospect_mj.experiment.development.study.causal import forced_name
-from prospect_mj.experiment.development.study.measured import Measured
 from prospect_mj.experiment.paper.measures.target import Verdict
 
 _RATE = 0.005
@@ -19,12 +22,12 @@ _WITHOUT = (
 """One of the two is missing."""
 
 
-def like_infants(one: Measured) -> Verdict:
+def like_infants(one: Figures) -> Verdict:
     """Whether a row develops as infants do, by the criteria of the learners."""
     return all_of([criterion.judge(one).verdict for criterion in LIKE_INFANTS])
 
 
-def needs(rows: Mapping[str, Measured]) -> Claim:
+def needs(rows: Mapping[str, Figures]) -> Claim:
     """Whether it takes the order of the splits, and re-estimated values.
 
     Args:

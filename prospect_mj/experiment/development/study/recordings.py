@@ -1,50 +1,18 @@
 """The recordings of the worlds that the study learns from."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Self
 
-from prospect_mj import paths
 from prospect_mj.errors import RecordingError
-from prospect_mj.experiment.development.study.settings import STANDARD, Extent
 from prospect_mj.experiment.populations.digests import recording_digest
 from prospect_mj.experiment.populations.scenario import PopulationSettings
 from prospect_mj.experiment.populations.world import World
+from prospect_mj.recording import shipped
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
-
-SHIPPED = paths.ASSETS / "recordings"
-"""A folder for each recorded world that comes with the package."""
-
-_LID_FIRST = ("post",)
-"""Worlds in which the lid goes down."""
-
-
-def there(extent: Extent) -> Extent:
-    """The parts and worlds that the recordings suffice for that come with the package.
-
-    Args:
-        extent: if it is not the usual one, something in it was asked for by name, and
-            it is left as it is.
-    """
-    if extent != Extent():
-        return extent
-    worlds, changes = (
-        tuple(world for world in names if world == STANDARD or _is_shipped(world))
-        for names in (extent.worlds, extent.changes)
-    )
-    lacking = {"worlds": worlds == (STANDARD,), "change": not changes}
-    return replace(
-        extent,
-        parts=tuple(part for part in extent.parts if not lacking.get(part)),
-        worlds=worlds,
-        changes=changes or extent.changes,
-    )
-
-
-def _is_shipped(world: str) -> bool:
-    return (SHIPPED / world).is_dir()
+from prospect_mj.recording.worlds import STANDARD, WORLDS
 
 
 @dataclass(frozen=True)
@@ -71,14 +39,9 @@ class Recordings:
             RecordingError: if one is missing, damaged, incomplete, of another world,
                 or lacks what its world is there for.
         """
-        where = SHIPPED if folder is None else folder
+        given = {STANDARD: standard} if standard is not None else {}
         return cls(
-            {
-                world: _standard(standard)
-                if world == STANDARD
-                else _of_world(where, world)
-                for world in worlds
-            }
+            {world: _read(world, given.get(world), folder) for world in worlds}
         ).checked()
 
     def checked(self) -> Self:
@@ -106,33 +69,30 @@ class Recordings:
         return self.by_world[STANDARD]
 
 
-def _standard(path: Path | None) -> Recording:
-    if path is not None:
-        _check_world(path, STANDARD)
+def _read(world: str, path: Path | None, folder: Path | None) -> Recording:
+    """The recording of a world: the one given, one of a folder, or the shipped one."""
+    if path is None and (folder is None or world == STANDARD):
+        return Recording.load(shipped.folder(world))
+    path = _in(folder, world) if path is None else path
+    found = RecordingKey.read(path).config.world
+    if found != world:
+        raise RecordingError(f"{path} holds a recording of world {found}, not {world}")
     return Recording.load(path)
 
 
-def _of_world(folder: Path, world: str) -> Recording:
-    path = folder / world
-    if not path.is_dir():
+def _in(folder: Path, world: str) -> Path:
+    if not (folder / world).is_dir():
         raise RecordingError(
             f"{folder} has no recording of world {world}; --parts or --worlds and "
             f"--changes leave it out, and prospect record --world {world} makes it"
         )
-    _check_world(path, world)
-    return Recording.load(path)
-
-
-def _check_world(path: Path, world: str) -> None:
-    config = asdict(RecordingKey.read(path).config)
-    found = config.get("world", STANDARD)
-    if found != world:
-        raise RecordingError(f"{path} holds a recording of world {found}, not {world}")
+    return folder / world
 
 
 def _check_end(world: str, recording: Recording) -> None:
-    if World(recording).lid_first != (world in _LID_FIRST):
-        end = "lid" if world in _LID_FIRST else "body"
+    lid_first = WORLDS[world].lid_first
+    if World(recording).lid_first != lid_first:
+        end = "lid" if lid_first else "body"
         raise RecordingError(
             f"the recording of world {world} lacks the variation that the study asks "
             f"for: the jar's {end} doesn't go down in it"

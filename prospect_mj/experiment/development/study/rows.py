@@ -7,11 +7,11 @@ from prospect_mj.agent import AnyLearnerSettings
 from prospect_mj.agent.failed_actions import FailedActions
 from prospect_mj.experiment.development.study.settings import (
     DOMINANT,
-    STANDARD,
     Part,
     StudySettings,
 )
 from prospect_mj.experiment.populations.scenario import PopulationSettings, Scenario
+from prospect_mj.recording.worlds import STANDARD
 
 RULES: tuple[FailedActions, ...] = ("allowed", "suppressed")
 

@@ -9,6 +9,7 @@ from prospect_mj.checks import check_choice, check_integer
 from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.populations.scenario import Scenario
 from prospect_mj.recording.config import LARGEST_SEED
+from prospect_mj.recording.worlds import STANDARD
 
 Part = Literal[
     "learners",
@@ -25,9 +26,7 @@ PARTS: tuple[Part, ...] = get_args(Part)
 DOMINANT = Scenario(trials=1000, pretrain=400, dominant="right")
 """The paper's scenario with a dominant hand (section 3.2)."""
 
-STANDARD = "standard"
-"""The world of all parts that name no other one."""
-WORLDS = (STANDARD, "lamp-right", "lamp-high", "noisy", "ring-label")
+IMAGE_WORLDS = (STANDARD, "lamp-right", "lamp-high", "noisy", "ring-label")
 """Those that are looked at unlike each other."""
 CHANGES = ("post", "lamp-right")
 """Those that the standard world changes into after learning."""
@@ -93,7 +92,7 @@ class Extent:
 
     parts: tuple[str, ...] = PARTS
     """learners, causal, population, worlds, change, found, haptics, rivals."""
-    worlds: tuple[str, ...] = WORLDS
+    worlds: tuple[str, ...] = IMAGE_WORLDS
     """Worlds of the part worlds."""
     changes: tuple[str, ...] = CHANGES
     """Worlds that the standard one changes into in the part change."""
@@ -102,7 +101,7 @@ class Extent:
         """Refuse what isn't there."""
         for name, given, known in (
             ("part", self.parts, PARTS),
-            ("world", self.worlds, WORLDS),
+            ("world", self.worlds, IMAGE_WORLDS),
             ("change", self.changes, CHANGES),
         ):
             for one in given:

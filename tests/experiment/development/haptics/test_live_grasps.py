@@ -15,8 +15,8 @@ from prospect_mj.experiment.development.haptics.grasp import (
     LID,
     table,
 )
-from prospect_mj.experiment.development.haptics.jars import JARS
 from prospect_mj.experiment.development.haptics.live import Share
+from prospect_mj.experiment.development.haptics.settings import JARS
 from prospect_mj.task.presentation import ORIENTATIONS
 
 

@@ -14,7 +14,7 @@ from prospect_mj.experiment.development.study import (
 )
 from prospect_mj.experiment.development.study.settings import (
     CHANGES,
-    WORLDS,
+    IMAGE_WORLDS,
     StudySettings,
 )
 
@@ -23,7 +23,7 @@ PARTS = {
     "learners": learners.rows(STUDY),
     "causal": causal.rows(STUDY),
     "population": population.rows(STUDY),
-    "worlds": world_rows.worlds(STUDY, WORLDS),
+    "worlds": world_rows.worlds(STUDY, IMAGE_WORLDS),
     "change": world_rows.changes(STUDY, CHANGES),
 }
 CAUSAL = {row.name: row for row in PARTS["causal"]}
@@ -121,7 +121,7 @@ def test_a_spread_population_draws_what_its_learner_has():
 
 def test_in_other_worlds_only_learners_learn_that_see_the_picture():
     assert {row.name for row in PARTS["worlds"]} == {"discovery", "linear", "replay"}
-    assert {row.world for row in PARTS["worlds"]} == set(WORLDS)
+    assert {row.world for row in PARTS["worlds"]} == set(IMAGE_WORLDS)
     assert {row.then for row in PARTS["worlds"]} == {None}
 
 

@@ -7,8 +7,7 @@ import pyarrow.parquet as pq
 import pytest
 
 from prospect_mj.cli import development as command
-from prospect_mj.experiment.development.study.recordings import there
-from prospect_mj.experiment.development.study.settings import Extent
+from prospect_mj.experiment.development.study.settings import PARTS
 
 FEW = (
     "--runs 20 --setting-runs 5 --deep-runs 2 --deep-trials 50 --grasped 0 --planned 2"
@@ -16,9 +15,9 @@ FEW = (
 
 
 def parts():
-    """Those that need neither felt grasps nor libraries that aren't here."""
-    without = {"haptics"} | (set() if find_spec("torch") else {"rivals"})
-    return [part for part in there(Extent()).parts if part not in without]
+    """Those that need no library that isn't here."""
+    without = () if find_spec("torch") else ("rivals",)
+    return [part for part in PARTS if part not in without]
 
 
 @pytest.mark.gl

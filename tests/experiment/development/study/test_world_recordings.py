@@ -63,7 +63,7 @@ def test_a_missing_recording_is_named_with_what_to_do(tmp_path):
 
 
 def test_a_recording_of_another_world_is_not_taken_for_it(tmp_path):
-    shipped = paths.ASSETS / "recording"
+    shipped = paths.RECORDINGS / "standard"
     (tmp_path / "noisy").symlink_to(shipped)
     with pytest.raises(RecordingError, match="holds a recording of world standard"):
         Recordings.load(("standard", "noisy"), None, tmp_path)
