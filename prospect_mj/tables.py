@@ -7,8 +7,9 @@ from types import MappingProxyType
 
 import pyarrow as pa
 import pyarrow.parquet as pq
+from pyarrow.lib import ArrowException
 
-from prospect_mj.errors import ForeignTable
+from prospect_mj.errors import ForeignTable, RunFolderError
 
 _ORIGIN = b"prospect_mj_origin"
 
@@ -69,3 +70,19 @@ def read(
         if (found.metadata or {}).get(_ORIGIN) != origin.encode():
             raise ForeignTable(f"{path} is from another {of}")
         return file.read(columns)
+
+
+def read_kept(path: Path, schema: pa.Schema, origin: str) -> pa.Table:
+    """Read a table that a study has kept, as `read` does.
+
+    Raises:
+        RunFolderError: if it is damaged, or another one; it is left as it is.
+    """
+    try:
+        return read(path, schema, origin, of="study")
+    except ForeignTable as error:
+        raise RunFolderError(str(error)) from error
+    except (OSError, ValueError, ArrowException) as error:
+        raise RunFolderError(
+            f"{path} can't be read: it is damaged; move it away and run again"
+        ) from error

@@ -42,7 +42,7 @@ def counts_per_orientation(energy=2.4, difference=0.95):
 
 class IdealEnv:
     def __init__(self, config, noise=0.0, seconds_per_action=0.0):
-        self.generator = StateFeatureGenerator(config.features)
+        self.generator = StateFeatureGenerator(config.features, config.categories)
         self.max_actions = config.max_actions
         self.supervisor = Supervisor(config.supervisor, config.shaping)
         self.noise = noise

@@ -22,8 +22,6 @@ CONFINED = {
         "prospect_mj/experiment/development/figures/",
         "prospect_mj/experiment/pictures/automaton_plot.py",
         "prospect_mj/experiment/pictures/field_plot.py",
-        "prospect_mj/experiment/development/haptics/figure.py",
-        "prospect_mj/experiment/development/rivals/figure.py",
         "prospect_mj/experiment/paper/figures/direct_labels.py",
         "prospect_mj/experiment/paper/figures/figure_frame.py",
         "prospect_mj/experiment/paper/figures/actions_figure.py",

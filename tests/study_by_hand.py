@@ -2,16 +2,24 @@
 
 from functools import cache
 
+import felt_by_hand
 import numpy as np
 from hand_made_runs import B, E, L, X, population
 from small_study import SETTINGS
 
 from prospect_mj.agent.features import N_BINS
 from prospect_mj.experiment.development.claims.findings import Findings
+from prospect_mj.experiment.development.haptics import ends
+from prospect_mj.experiment.development.haptics.haptics import (
+    RECORDED,
+    HapticResults,
+)
+from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY, END
 from prospect_mj.experiment.development.measures.development import Development
 from prospect_mj.experiment.development.study import (
     after,
     causal,
+    haptic_rows,
     learners,
     looks,
     measured,
@@ -23,12 +31,15 @@ from prospect_mj.experiment.development.study.measured import Measured, Shown, T
 from prospect_mj.experiment.development.study.results import Results, Single
 from prospect_mj.experiment.development.study.settings import Extent
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
+from prospect_mj.haptics import ClusterSettings
 
 RUNS, BLOCKS = 4, 30
 INFANT = [[L] * 5] * 6 + [[E] * 5] * 8 + [[B] * 5] * 16
 AT_ONCE = [[X] * 5] + [[B] * 5] * 29
 LATE = [[L] * 5] * 10 + [[B] * 5] * 20
-EXTENT = Extent(("learners", "causal", "population", "worlds", "change", "found"))
+EXTENT = Extent(
+    ("learners", "causal", "population", "worlds", "change", "found", "haptics")
+)
 LIKE = ("discovery", "suppressed"), ("replay", "suppressed")
 """Learners and rules that develop as infants do."""
 
@@ -88,8 +99,30 @@ def found():
     )
 
 
+TOLD = {BITS: (0, "infant"), CATEGORY: (3, "late"), END: (2, "at once")}
+"""Categories that a learner is told, and what it then does."""
+
+
+def touches(settings=SETTINGS):
+    """Learners that are told the hand, the category or the very end."""
+    numbers = {touch: number for touch, (number, _) in TOLD.items()}
+    rows = haptic_rows.rows(settings, numbers)
+    return [shown(row, TOLD[row.touch][1]) for row in rows]
+
+
+@cache
+def haptics():
+    """Grasps whose ends feel unlike, and what tells them."""
+    rng, two = np.random.default_rng(0), ClusterSettings(models=2, starts=2)
+    grasps = {RECORDED: felt_by_hand.grasps(6, rng)}
+    models = {jar: ends.clustered(one, two, rng).models for jar, one in grasps.items()}
+    told = ends.told(RECORDED, grasps[RECORDED], two, rng)
+    numbers = ends.numbers(RECORDED, grasps[RECORDED], 1, lambda _: two, rng)
+    return HapticResults(grasps, models, told, numbers)
+
+
 def results(extent=EXTENT, settings=SETTINGS):
-    """Of all parts but rivals and haptics."""
+    """Of all parts but rivals."""
     made, parts = Results(settings, extent), extent.parts
     if "learners" in parts:
         for row in learners.rows(settings):
@@ -113,5 +146,7 @@ def results(extent=EXTENT, settings=SETTINGS):
         rows = world_rows.changes(settings, extent.changes)
         made.change = [shown(row, "late", after.AFTER) for row in rows]
     made.found = found() if "found" in parts else None
+    if "haptics" in parts:
+        made.haptics, made.touches = haptics(), touches(settings)
     made.seconds = dict.fromkeys(parts, 1.5)
     return made

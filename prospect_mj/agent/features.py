@@ -9,6 +9,10 @@ constant 1". With v the scaled histogram and h_L, h_R the two grasp predicates,
 
 are the two readings of it that have 303 elements. They span the same functions; in the
 first, what is learned about the picture generalises over the haptic states.
+
+With K categories of grasps c_1, ..., c_K are haptic features as well, all of them zero
+where no hand holds the jar (`agent.haptics`); v c_1, ..., v c_K follow v h_R, and
+c_1, ..., c_K follow h_R.
 """
 
 from dataclasses import dataclass
@@ -17,22 +21,25 @@ from typing import Literal, NamedTuple, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from prospect_mj.checks import check_choice, check_number
+from prospect_mj.agent.haptics import (
+    N_BINS,
+    haptic_bits,
+    haptic_state,
+    n_features,
+)
+from prospect_mj.checks import check_choice, check_integer, check_number
 from prospect_mj.errors import InvalidValue
 
-N_BINS = 100
-N_FEATURES = 3 * N_BINS + 3
+N_FEATURES = n_features(0)
+MOST_CATEGORIES = 100
+"""Kinds of grasps that features may tell apart."""
 
 Holding = Literal["none", "left", "right"]
 Reading = Literal["product", "one_hot"]
 Normalisation = Literal["energy", "max_bin", "unit_sum"]
 
-# Grasp predicates (h_L, h_R) per haptic state.
-_PREDICATES: dict[str, tuple[float, float]] = {
-    "none": (0.0, 0.0),
-    "left": (1.0, 0.0),
-    "right": (0.0, 1.0),
-}
+HOLDINGS: tuple[Holding, ...] = get_args(Holding)
+"""By their numbers in `agent.haptics`."""
 
 
 @dataclass(frozen=True)
@@ -61,36 +68,76 @@ class FeatureBounds(NamedTuple):
     """The smallest box that contains every feature vector."""
 
     low: NDArray[np.float64]
-    """(303,) [1]."""
+    """(n_features,) [1]."""
     high: NDArray[np.float64]
-    """(303,) [1]."""
+    """(n_features,) [1]."""
+
+
+class HapticState(NamedTuple):
+    """What the hands feel."""
+
+    holding: Holding
+    """The hand whose grasp predicate is on."""
+    category: int = 0
+    """Of its grasp, from 0; 0 without categories or where no hand holds."""
 
 
 class StateFeatureGenerator:
-    """Turns raw bin counts and the haptic state into the learner's features."""
+    """Turns raw bin counts and the haptic state into the learner's features.
 
-    def __init__(self, settings: FeatureSettings | None = None) -> None:
+    Args:
+        settings: reading and scale; None for the defaults.
+        categories: K, number of the categories of grasps.
+
+    Attributes:
+        settings: as given.
+        categories: as given.
+    """
+
+    def __init__(
+        self, settings: FeatureSettings | None = None, categories: int = 0
+    ) -> None:
         """Generate features in the way that `settings` says."""
+        check_integer("haptic categories", categories, 0, MOST_CATEGORIES)
         self.settings = FeatureSettings() if settings is None else settings
+        self.categories = categories
+        self._bits = haptic_bits(categories).astype(np.float64)
 
-    def generate(self, counts: ArrayLike, holding: Holding) -> NDArray[np.float64]:
+    def generate(
+        self, counts: ArrayLike, holding: Holding, category: int = 0
+    ) -> NDArray[np.float64]:
         """Compute the feature vector of one state.
 
         Args:
             counts: (100,) [pixels] per intensity bin; all zero if the object was not
                 seen, which gives v = 0.
             holding: the hand whose grasp predicate is on, or "none".
+            category: of its grasp, from 0; without meaning where no hand holds, or
+                there are no categories.
 
         Returns:
-            (303,) [1], a new array.
+            (n_features,) [1], a new array; 303 without categories.
         """
-        check_choice("holding", holding, _PREDICATES)
         visual = self.scaled_histogram(counts)
-        left, right = _PREDICATES[holding]
-        none = 1.0 - left - right
-        first = 1.0 if self.settings.reading == "product" else none
-        haptic = np.array([left, right, 1.0])
-        return np.concatenate([first * visual, left * visual, right * visual, haptic])
+        bits = self._bits[self._state(holding, category)]
+        first = 1.0 if self.settings.reading == "product" or not bits.any() else 0.0
+        blocks = [first * visual, *(bit * visual for bit in bits)]
+        return np.concatenate([*blocks, bits, [1.0]])
+
+    @property
+    def states(self) -> tuple[HapticState, ...]:
+        """Every haptic state, in the order of its number in `agent.haptics`."""
+        nobody, *hands = HOLDINGS
+        kinds = range(max(self.categories, 1))
+        held = (HapticState(hand, kind) for hand in hands for kind in kinds)
+        return HapticState(nobody), *held
+
+    def _state(self, holding: Holding, category: int) -> int:
+        """Number of the haptic state."""
+        check_choice("holding", holding, HOLDINGS)
+        if self.categories and holding != "none":
+            check_integer("haptic category", category, 0, self.categories - 1)
+        return haptic_state(HOLDINGS.index(holding), category, self.categories)
 
     def scaled_histogram(self, counts: ArrayLike) -> NDArray[np.float64]:
         """Scale bin counts to the settings' norm.
@@ -124,9 +171,9 @@ class StateFeatureGenerator:
         energy = self.settings.normalisation == "energy"
         # One step up: a histogram of one bin may round to just above the root.
         largest = np.nextafter(np.sqrt(self.settings.energy), np.inf) if energy else 1.0
-        high = np.ones(N_FEATURES)
-        high[: 3 * N_BINS] = largest
-        low = np.zeros(N_FEATURES)
+        high = np.ones(n_features(self.categories))
+        high[: N_BINS * (1 + self._bits.shape[1])] = largest
+        low = np.zeros(len(high))
         return FeatureBounds(low, high)
 
 

@@ -8,8 +8,11 @@ The linear features have a bit for each hand and for each category, (h_L, h_R, c
 c_K), and phi = (v, v x each bit, the bits, 1) with the histogram v of 100 bins.
 """
 
-from prospect_mj.agent.features import N_BINS
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
+N_BINS = 100
+"""Of the histogram."""
 NONE, LEFT, RIGHT = 0, 1, 2
 """What holds the jar."""
 N_HOLDINGS = 3
@@ -38,6 +41,17 @@ def haptic_state(holding: int, category: int, categories: int) -> int:
     return 1 + (holding - LEFT) * categories + category
 
 
+def haptic_states(
+    holding: ArrayLike, category: ArrayLike, categories: int
+) -> NDArray[np.int64]:
+    """(n,): the same of many states; `holding` and `category` are (n,)."""
+    held = np.array(holding, np.int64)
+    if categories == 0:
+        return held
+    states = 1 + (held - LEFT) * categories + np.asarray(category)
+    return np.where(held == NONE, NONE, states)
+
+
 def holding_of(haptic: int, categories: int) -> int:
     """What holds the jar in a haptic state: `NONE`, `LEFT` or `RIGHT`."""
     if haptic == NONE or categories == 0:
@@ -48,3 +62,14 @@ def holding_of(haptic: int, categories: int) -> int:
 def categories_of(n_states: int) -> int:
     """K, of which there are so many haptic states: the inverse of `n_haptic`."""
     return 0 if n_states == N_HOLDINGS else (n_states - 1) // 2
+
+
+def haptic_bits(categories: int) -> NDArray[np.bool_]:
+    """(h, 2 + K): the bits of every haptic state, those of the hands first."""
+    n_states = n_haptic(categories)
+    bits = np.zeros((n_states, 2 + categories), np.bool_)
+    for state in range(1, n_states):
+        bits[state, holding_of(state, categories) - LEFT] = True
+        if categories:
+            bits[state, 2 + (state - 1) % categories] = True
+    return bits

@@ -1,10 +1,12 @@
 """Every learner by its name and by the class of its settings."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from prospect_mj.agent.haptics import n_features, n_haptic
 from prospect_mj.agent.learner import Learner
 from prospect_mj.agent.linear_q import LinearQ
 from prospect_mj.agent.replay_q import ReplayQ
@@ -25,6 +27,15 @@ SETTINGS: Mapping[str, type[AnyLearnerSettings]] = {
 """Class of the settings of each learner, by its name."""
 
 NAMES = tuple(SETTINGS)
+
+
+def with_categories(
+    settings: AnyLearnerSettings, categories: int
+) -> AnyLearnerSettings:
+    """The same learner for states that tell K = `categories` kinds of grasps."""
+    sizes = {"n_features": n_features(categories), "n_haptic": n_haptic(categories)}
+    own = {name: size for name, size in sizes.items() if hasattr(settings, name)}
+    return replace(settings, **own)
 
 
 def new_learner(

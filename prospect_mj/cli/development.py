@@ -73,7 +73,6 @@ def _develop(options: DevelopmentOptions) -> None:
         options.config,
         options.extent,
         recordings,
-        options.recording,
         options.jobs,
         options.output.say,
     )

@@ -17,8 +17,9 @@ from tyro.constructors import (
     StructTypeInfo,
 )
 
-from prospect_mj.agent.learners import NAMES, SETTINGS
+from prospect_mj.agent.learners import NAMES, SETTINGS, with_categories
 from prospect_mj.agent.settings import AnyLearnerSettings
+from prospect_mj.cli.haptic_option import OptionalModels
 from prospect_mj.experiment.run.config import TrainConfig
 
 OPTION = "--learner"
@@ -43,17 +44,18 @@ def named_learner(argv: Sequence[str]) -> str | None:
     return named if named in SETTINGS else None
 
 
-def with_learner(
-    settings: AnyLearnerSettings, argv: Sequence[str]
-) -> AnyLearnerSettings:
+def with_learner(config: TrainConfig, argv: Sequence[str]) -> TrainConfig:
     """The defaults that the options of a command line are beside.
 
     Args:
-        settings: defaults where no other learner is named.
+        config: defaults where no other learner is named.
         argv: the command line.
     """
     name = named_learner(argv)
-    return settings if name in (None, settings.name) else SETTINGS[name]()
+    if name in (None, config.learner.name):
+        return config
+    learner = with_categories(SETTINGS[name](), config.categories)
+    return replace(config, learner=learner)
 
 
 def learner_registry() -> ConstructorRegistry:
@@ -78,12 +80,21 @@ def learner_registry() -> ConstructorRegistry:
 
 
 def _run(usual: StructConstructorSpec) -> StructConstructorSpec:
-    """Options of a run whose learner is of the kind that the default has."""
-    fields = (
-        replace(field, type=type(field.default)) if field.name == "learner" else field
-        for field in usual.fields
-    )
-    return replace(usual, fields=tuple(fields))
+    """Options of a run whose learner is of the kind that the default has.
+
+    The learner knows as many haptic states as there are by the run's haptic models.
+    """
+    defaults = {field.name: field.default for field in usual.fields}
+    kinds = {"learner": type(defaults["learner"]), "haptic_models": OptionalModels}
+    fields = (replace(f, type=kinds.get(f.name, f.type)) for f in usual.fields)
+
+    def instantiate(**given: Any) -> TrainConfig:  # noqa: ANN401
+        models = given["haptic_models"]
+        categories = 0 if models is None else len(models)
+        learner = with_categories(given["learner"], categories)
+        return TrainConfig(**{**given, "learner": learner})
+
+    return replace(usual, instantiate=instantiate, fields=tuple(fields))
 
 
 def _learner(usual: StructConstructorSpec) -> StructConstructorSpec:

@@ -17,11 +17,12 @@ _SAID = {
     r"(\S+): invalid literal for int\(\) with base 10: (.*)": _WHOLE,
     r"(\S+): no type matching INT could be instantiated from \[(.*)\]\.": _WHOLE,
     r"(\S+): could not convert string to float: (.*)": r"\1 is \2; expected a number",
+    r"(--[\w.-]+): [a-z ]+ is (.*)": r"\1 is \2",
     r"Missing value for argument '(.*)'\. Expected 1 values\.": (
         r"\1 is given without a value"
     ),
 }
-"""What tyro and Python say, and what is said in its place."""
+"""What tyro and Python say, or a type's own words, and what is said in its place."""
 _CHOICE = r"invalid choice (.*) for argument '(.*)'\. Expected one of \((.*?),?\)\."
 
 

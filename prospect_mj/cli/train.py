@@ -150,8 +150,7 @@ def _train_seeds(
 
 
 def _parse(argv: Sequence[str], prog: str, default: TrainOptions) -> TrainOptions:
-    learner = with_learner(default.config.learner, argv)
-    default = replace(default, config=replace(default.config, learner=learner))
+    default = replace(default, config=with_learner(default.config, argv))
     registry = learner_registry()
     return command_line.parse(
         TrainOptions, argv, default=default, prog=prog, registry=registry

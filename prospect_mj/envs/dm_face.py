@@ -20,7 +20,7 @@ ACTION_MASK = "action_mask"
 class PickPlaceDmEnv(dm_env.Environment):
     """`PickPlaceEnv` in dm_env's terms: time steps, discounts and named specs.
 
-    An observation is a dictionary of the `features` (303,), the `action_mask` (6,) and,
+    An observation is a dictionary of the `features`, the `action_mask` (6,) and,
     if they are asked for, `left_image` and `right_image`. The discount is 0 where the
     jar was inserted, and 1 everywhere else: also where a trial was cut off.
 

@@ -39,24 +39,30 @@ class Observer(Protocol):
         """
         ...
 
-    def observe(self, holding: Holding) -> Observation:
-        """The observation at present, in memory of its own."""
+    def observe(self, holding: Holding, category: int) -> Observation:
+        """The observation at present, in memory of its own.
+
+        Args:
+            holding: the hand that holds the jar.
+            category: of its grasp; without meaning where there are none.
+        """
         ...
 
 
 class FeatureObserver:
-    """Observes the 303 features.
+    """Observes the features.
 
     Args:
         settings: their reading and scale.
+        categories: K, number of the categories of grasps.
 
     Attributes:
-        space: `Box((303,))`.
+        space: `Box((n_features,))`; 303 without categories.
     """
 
-    def __init__(self, settings: FeatureSettings) -> None:
+    def __init__(self, settings: FeatureSettings, categories: int = 0) -> None:
         """Nothing has been seen yet."""
-        self._generator = StateFeatureGenerator(settings)
+        self._generator = StateFeatureGenerator(settings, categories)
         low, high = self._generator.bounds
         self.space = spaces.Box(low, high, dtype=np.float64)
         self._histogram: NDArray[np.int64] = np.zeros(N_BINS, np.int64)
@@ -65,9 +71,9 @@ class FeatureObserver:
         """Keep the histogram."""
         self._histogram = histogram
 
-    def observe(self, holding: Holding) -> NDArray[np.float64]:
-        """The features (303,)."""
-        return self._generator.generate(self._histogram, holding)
+    def observe(self, holding: Holding, category: int) -> NDArray[np.float64]:
+        """The features (n_features,)."""
+        return self._generator.generate(self._histogram, holding, category)
 
 
 class ImageObserver:
@@ -96,10 +102,12 @@ class ImageObserver:
         self._features.begin(histogram, images)
         self._images = images
 
-    def observe(self, holding: Holding) -> dict[str, NDArray[np.generic]]:
-        """Features (303,) and images (rows, columns, 3)."""
+    def observe(
+        self, holding: Holding, category: int
+    ) -> dict[str, NDArray[np.generic]]:
+        """Features (n_features,) and images (rows, columns, 3)."""
         return {
-            FEATURES: self._features.observe(holding),
+            FEATURES: self._features.observe(holding, category),
             LEFT_IMAGE: self._images.left.copy(),
             RIGHT_IMAGE: self._images.right.copy(),
         }

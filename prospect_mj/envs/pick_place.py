@@ -55,7 +55,8 @@ class PickPlaceEnv(gymnasium.Env[Observation, int]):
     ## Observation Space
     `Box((303,))`, float64: with v the scaled 100-bin intensity histogram of the jar's
     pixels and h_L, h_R the grasp predicates, (v, v h_L, v h_R, h_L, h_R, 1); see
-    `prospect_mj.agent.features`.
+    `prospect_mj.agent.features`. With `haptic_models`, K categories of grasps, there
+    is a bit more for each category: `Box((101 (3 + K),))`.
 
     With `observation="images"`, in live physics, a `Dict` of these `features` and of
     `left_image` and `right_image`, `Box(0, 255, (240, 320, 3), uint8)`: what both eyes
@@ -86,6 +87,8 @@ class PickPlaceEnv(gymnasium.Env[Observation, int]):
       `env.get_wrapper_attr("action_masks")()`
     - `orientation`: the side on which the lid lies
     - `holding`: `"none"`, `"left"` or `"right"`: the grasp predicates
+    - `category`: of the grasp that holds the jar, from 0, by the `haptic_models`; -1
+      without these, and where no hand holds
     - `executed`: whether the action was run (False from `reset`)
     - `result`: an `ActionResult`, such as `"success"` or `"jammed"`; from `reset` the
       status of the look: `"found"`, `"unsure"` or `"not_found"`

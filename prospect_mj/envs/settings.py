@@ -11,6 +11,7 @@ import numpy as np
 from prospect_mj.agent.features import FeatureSettings
 from prospect_mj.checks import check_choice, check_integer
 from prospect_mj.errors import InvalidValue
+from prospect_mj.haptics import TrajectoryModels
 from prospect_mj.recording.config import GrossMotion, ObjectPose, RecordingConfig
 from prospect_mj.recording.worlds import STANDARD
 from prospect_mj.supervisor.supervisor import Mode, Supervisor
@@ -59,10 +60,13 @@ class PickPlaceSettings:
     """After which a trial is truncated; on recorded physics presentations are not shown
     whose outcomes are recorded for fewer."""
     observation: Observed = "features"
-    """What an agent observes: the 303 `features`, or these and, in live physics, the
-    two `images` that they were made of."""
+    """What an agent observes: the `features`, or these and, in live physics, the two
+    `images` that they were made of."""
     features: FeatureSettings = field(default_factory=FeatureSettings)
-    """Reading and scale of the 303 features."""
+    """Reading and scale of the features."""
+    haptic_models: TrajectoryModels | None = None
+    """Categories of grasps, K of them, by which the 303 features become 101 (3 + K);
+    None: the features tell only which hand holds the jar."""
     presentation: PresentationSettings = field(default_factory=PresentationSettings)
     """Spread of the jar's place and of the lamp's brightness, in live physics."""
     width: int = 640
@@ -84,6 +88,9 @@ class PickPlaceSettings:
         for name, kind in _KINDS.items():
             if not isinstance(getattr(self, name), kind):
                 raise InvalidValue(name, getattr(self, name), f"a {kind.__name__}")
+        if not isinstance(self.haptic_models, TrajectoryModels | None):
+            expected = "TrajectoryModels, or None"
+            raise InvalidValue("haptic_models", self.haptic_models, expected)
         _check_schedule(self.shaping)
         Supervisor(self.supervisor, self.shaping)
         # A choice or a number that makes no recording makes no live physics either.
@@ -131,6 +138,11 @@ class PickPlaceSettings:
         for name in changes:
             check_choice("setting", name, names)
         return replace(given, **changes)
+
+    @property
+    def categories(self) -> int:
+        """K, number of the categories of grasps."""
+        return 0 if self.haptic_models is None else len(self.haptic_models)
 
     @property
     def recorded_as(self) -> RecordingConfig:

@@ -13,6 +13,7 @@ from prospect_mj.errors import RecordingError
 from prospect_mj.recording import files, shipped
 from prospect_mj.recording import key as keys
 from prospect_mj.recording.config import RecordingConfig
+from prospect_mj.recording.felt import check_felt
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
 from prospect_mj.recording.task import RecordedTask
@@ -87,12 +88,15 @@ def load_recording(settings: PickPlaceSettings) -> Recording:
     """Read the recording that an environment asks for.
 
     Raises:
-        RecordingError: if it can't be had, or is of other physics.
+        RecordingError: if it can't be had, is of other physics, or has no grasps for
+            the haptic models.
     """
     path = settings.recording
     path = shipped.folder(settings.world) if path is None else path
     recording = Recording.load(path)
     _check_same(path, recording.key.config, settings)
+    if settings.haptic_models is not None:
+        check_felt(recording)
     recording.warn_if_foreign()
     return recording
 

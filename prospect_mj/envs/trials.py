@@ -17,6 +17,7 @@ from prospect_mj.envs.observation import (
 from prospect_mj.envs.reset_options import ResetOptions
 from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.envs.tasks import Task, make_task
+from prospect_mj.envs.touch import Touch
 from prospect_mj.errors import RecordingError
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
 
@@ -67,6 +68,7 @@ class Trials:
         live = settings.physics == "live"
         self._live = cast("PickPlaceTask", self.task) if live else None
         self.observer = self._observer(settings)
+        self._touch = Touch(settings.haptic_models)
         self._max_actions = settings.max_actions
         self._orientation: Orientation = ORIENTATIONS[0]
         self._trial = -1
@@ -74,7 +76,7 @@ class Trials:
         self._closed = False
 
     def _observer(self, settings: PickPlaceSettings) -> Observer:
-        features = FeatureObserver(settings.features)
+        features = FeatureObserver(settings.features, settings.categories)
         if settings.observation == "features":
             return features
         return ImageObserver(features, self.live.camera.settings.size)
@@ -115,8 +117,9 @@ class Trials:
         look = self.task.reset(self._orientation, rng)
         images = None if self._live is None else self._live.images
         self.observer.begin(look.histogram, images)
+        self._touch.begin()
         self._n_actions = 0
-        return self.observer.observe(self._holding), self._info(False, look.status, 0.0)
+        return self._observed(), self._info(False, look.status, 0.0)
 
     def act(self, action: Action) -> Transition:
         """Run an action to its end.
@@ -128,14 +131,14 @@ class Trials:
         if self._n_actions is None:
             raise gymnasium.error.ResetNeeded("no trial is under way: call reset")
         outcome = self.task.execute(action)
+        self._touch.feel(self.task, outcome)
         self._n_actions += 1
         terminated = self.task.inserted
         truncated = not terminated and self._n_actions >= self._max_actions
         info = self._info(outcome.executed, outcome.result, outcome.sim_seconds)
         if terminated or truncated:
             self._n_actions = None
-        seen = self.observer.observe(self._holding)
-        return Transition(seen, REWARD, terminated, truncated, info)
+        return Transition(self._observed(), REWARD, terminated, truncated, info)
 
     def check_open(self) -> None:
         """Refuse what needs the task.
@@ -155,6 +158,9 @@ class Trials:
     def _holding(self) -> Holding:
         return self.task.holder or "none"
 
+    def _observed(self) -> Observation:
+        return self.observer.observe(self._holding, self._touch.category)
+
     def _info(
         self, executed: bool, result: str | ActionResult, sim_seconds: float
     ) -> dict[str, Any]:
@@ -162,6 +168,7 @@ class Trials:
             "action_mask": self.choice_set(),
             "orientation": self._orientation,
             "holding": self._holding,
+            "category": self._touch.told(self._holding),
             "executed": executed,
             "result": str(result),
             "sim_seconds": sim_seconds,

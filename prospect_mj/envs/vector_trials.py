@@ -10,13 +10,16 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
-from prospect_mj.agent.features import FeatureSettings, StateFeatureGenerator
+from prospect_mj.agent.features import StateFeatureGenerator
+from prospect_mj.agent.haptics import haptic_states
 from prospect_mj.envs.observation import FeatureObserver
 from prospect_mj.envs.reset_options import ResetOptions
 from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.envs.tasks import load_recording, make_supervisor
+from prospect_mj.envs.touch import NO_CATEGORY
 from prospect_mj.envs.trials import drawn_orientation
 from prospect_mj.recording.batch import RecordedBatch
+from prospect_mj.recording.felt import category_of_nodes
 from prospect_mj.recording.hands import LEFT, NONE, RIGHT, hand_of
 from prospect_mj.recording.presenter import Presenter
 from prospect_mj.recording.recording import Recording
@@ -45,10 +48,16 @@ class VectorTrials:
             RecordingError: if it can't be had, or is of other physics.
         """
         recording = load_recording(settings)
-        self.space: spaces.Box = FeatureObserver(settings.features).space
+        self.space: spaces.Box = FeatureObserver(
+            settings.features, settings.categories
+        ).space
         self._presenter = Presenter(recording, settings.max_actions)
         self._batch = RecordedBatch(recording, make_supervisor(settings), n)
-        self._features = _feature_table(recording, settings.features)
+        self._category = _categories(recording, settings)
+        self._haptic = haptic_states(
+            recording.nodes.holding, self._category, settings.categories
+        )
+        self._features = _feature_table(recording, settings)
         self._looks = recording.presentations.look.astype(object)
         self._max_actions = settings.max_actions
         self._trial = np.full(n, -1)
@@ -106,8 +115,8 @@ class VectorTrials:
         return terminated, cut_off & ~terminated
 
     def observe(self) -> NDArray[np.float64]:
-        """The features of every trial (n, 303)."""
-        return self._features[self._batch.shown, self._batch.holding]
+        """The features of every trial (n, n_features)."""
+        return self._features[self._batch.shown, self._haptic[self._batch.node]]
 
     def choice_sets(self) -> NDArray[np.int8]:
         """What may be chosen in every trial (n, 6), 1 = may be chosen."""
@@ -123,6 +132,7 @@ class VectorTrials:
             "action_mask": self.choice_sets(),
             "orientation": _NAMES[self._batch.lid],
             "holding": _NAMES[self._batch.holding],
+            "category": self._category[self._batch.node],
             "executed": self._executed.copy(),
             "result": self._result.copy(),
             "sim_seconds": self._sim_seconds.copy(),
@@ -131,14 +141,24 @@ class VectorTrials:
         return told | {f"_{key}": known.copy() for key in told}
 
 
+def _categories(recording: Recording, settings: PickPlaceSettings) -> NDArray[np.int64]:
+    """(n,): what is told of the grasp in every node of a recording."""
+    holding = recording.nodes.holding
+    nothing = np.full(len(holding), NO_CATEGORY)
+    if settings.haptic_models is None:
+        return nothing
+    category = category_of_nodes(recording, settings.haptic_models)
+    return np.where(holding == NONE, nothing, category)
+
+
 def _feature_table(
-    recording: Recording, settings: FeatureSettings
+    recording: Recording, settings: PickPlaceSettings
 ) -> NDArray[np.float64]:
-    """The features (p, 3, 303) of every presentation and holding hand."""
-    generator = StateFeatureGenerator(settings)
+    """The features (p, h, n_features) of all presentations and h haptic states."""
+    generator = StateFeatureGenerator(settings.features, settings.categories)
     return np.array(
         [
-            [generator.generate(histogram, hand) for hand in _NAMES]
+            [generator.generate(histogram, *state) for state in generator.states]
             for histogram in recording.presentations.histogram
         ]
     )

@@ -53,6 +53,24 @@ def share(part: int, whole: int) -> Estimate:
     return Estimate(part / whole, float(bounds.low), float(bounds.high))
 
 
+def clustered_share(part: int, whole: int, clusters: int) -> Estimate:
+    """A share with an interval for cases that come in clusters.
+
+    However much the cases of one cluster depend on each other: it is Wilson's interval
+    of as many cases as there are clusters, (p + z^2/2n +- z (p (1 - p)/n +
+    z^2/4n^2)^1/2) / (1 + z^2/n), whose n p need not be whole.
+
+    Args:
+        part: cases that count.
+        whole: all cases.
+        clusters: how many there are.
+    """
+    p, n, z = part / whole, clusters, stats.norm.ppf((1 + LEVEL) / 2)
+    reach = z * np.sqrt(p * (1 - p) / n + (z / (2 * n)) ** 2)
+    bounds = (p + z**2 / (2 * n) + np.array([-reach, reach])) / (1 + z**2 / n)
+    return Estimate(p, *map(float, bounds)).within(0.0, 1.0)
+
+
 def stratified_mean(groups: Sequence[_Values]) -> Estimate:
     """The mean over all values of some groups with Student's interval.
 

@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import logsumexp
 
 from prospect_mj.checks import check_integer, check_number
 from prospect_mj.errors import InvalidValue
@@ -121,13 +120,21 @@ def _climb(
     models, before = _started(data, settings, rng), -np.inf
     for _ in range(settings.steps):
         joint = _joint(data, models)
-        total = logsumexp(joint, axis=1)
+        total = _log_sums(joint)
         likelihood = float(total.sum())
         if likelihood - before < settings.tolerance * len(total):
             break
         before = likelihood
         models = _maximised(data, np.exp(joint - total[:, None]), settings)
-    return models, float(logsumexp(_joint(data, models), axis=1).sum())
+    return models, float(_log_sums(_joint(data, models)).sum())
+
+
+def _log_sums(joint: _Floats) -> _Floats:
+    """(t,): log chance of each trajectory, given that of each model and it (t, K)."""
+    # Only here: settings may hold models, and they are made without it.
+    from scipy.special import logsumexp
+
+    return logsumexp(joint, axis=1)
 
 
 def _started(

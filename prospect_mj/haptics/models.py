@@ -12,15 +12,13 @@ but the most likely model is the same.
 """
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import softmax
-from scipy.stats import norm
 
 from prospect_mj.errors import InvalidValue
 from prospect_mj.haptics.phase_portrait import together
@@ -63,6 +61,9 @@ class TrajectoryModels:
 
     def log_likelihoods(self, samples: NDArray[np.float64]) -> NDArray[np.float64]:
         """(n, K): log density of each sample (n, 3) in each model."""
+        # Only here: settings may hold models, and it takes half a second to load.
+        from scipy.stats import norm
+
         stage = stages(samples)
         mean, deviation = (
             np.moveaxis(np.array(part)[:, stage], 0, 1)
@@ -72,6 +73,8 @@ class TrajectoryModels:
 
     def chances(self, samples: NDArray[np.float64]) -> NDArray[np.float64]:
         """(n, K): chance of each model after the first, second, ... of the samples."""
+        from scipy.special import softmax
+
         evidence = np.cumsum(self.log_likelihoods(samples), axis=0)
         return softmax(evidence + np.log(self.weight), axis=1)
 
@@ -87,12 +90,21 @@ class TrajectoryModels:
             InvalidValue: if it holds none.
         """
         try:
-            plain = json.loads(path.read_text(encoding="utf-8"))
-            paths = (plain[name] for name in ("mean", "deviation"))
-            return cls(tuple(plain["weight"]), *map(nested, paths))
+            return cls.from_dict(json.loads(path.read_text(encoding="utf-8")))
         except (OSError, ValueError, TypeError, KeyError, RecursionError) as error:
             expected = f"a file of haptic models; {type(error).__name__}"
             raise InvalidValue("haptic models", str(path), expected) from error
+
+    @classmethod
+    def from_dict(cls, plain: Mapping[str, Any]) -> Self:
+        """The models that `dataclasses.asdict` made plain, by way of JSON or not.
+
+        Raises:
+            InvalidValue: if their numbers make no densities.
+            TypeError, KeyError: if they are something else.
+        """
+        paths = (plain[name] for name in ("mean", "deviation"))
+        return cls(tuple(plain["weight"]), *map(nested, paths))
 
 
 def stages(samples: NDArray[np.float64]) -> NDArray[np.intp]:

@@ -88,9 +88,12 @@ class LazyTask(RecordedTrial):
             self._recording.keep(tree)
         number = tree.children[self.node, action]
         led_to = tree.nodes[number]
-        situation = number if led_to.executed else self.node
         return RecordedStep(
-            situation, led_to.executed, led_to.result, led_to.sim_seconds
+            number if led_to.executed else self.node,
+            led_to.executed,
+            led_to.result,
+            led_to.sim_seconds,
+            np.array(led_to.felt, np.float32).reshape(-1, 2),
         )
 
     def close(self) -> None:

@@ -4,6 +4,7 @@ import numpy as np
 
 from prospect_mj.actions.action import Action, ActionResult
 from prospect_mj.recording.arrays import UNKNOWN
+from prospect_mj.recording.felt import known_samples
 from prospect_mj.recording.hands import hand_of
 from prospect_mj.recording.presenter import Presenter
 from prospect_mj.recording.recording import Recording
@@ -88,6 +89,7 @@ class RecordedTask(RecordedTrial):
             bool(nodes.executed[led_to]),
             ActionResult(nodes.result[led_to]),
             float(nodes.sim_seconds[led_to]),
+            known_samples(nodes.felt[led_to]),
         )
 
     def close(self) -> None:

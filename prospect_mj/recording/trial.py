@@ -32,6 +32,9 @@ class RecordedStep(NamedTuple):
     result: ActionResult
     sim_seconds: float
     """Simulated time of it [s]."""
+    felt: NDArray[np.float32]
+    """(m, 2): time since the hand closes [s] and residual [1] of every sample of its
+    last grasp; m is 0 without one."""
 
 
 def not_recorded(action: Action, depth: int) -> RecordingError:
@@ -45,6 +48,9 @@ def not_recorded(action: Action, depth: int) -> RecordingError:
         f"{action.label} from here was not recorded: the trial has more than {depth} "
         "executed actions"
     )
+
+
+_NOTHING = np.empty((0, 2), np.float32)
 
 
 class RecordedTrial(Closing):
@@ -61,6 +67,12 @@ class RecordedTrial(Closing):
         """Begin no trial yet."""
         self.supervisor = supervisor
         self._node: int | None = None
+        self._felt = _NOTHING
+
+    @property
+    def felt(self) -> NDArray[np.float32]:
+        """What the last action felt like, as `RecordedStep` has it."""
+        return self._felt
 
     @property
     def node(self) -> int:
@@ -105,6 +117,7 @@ class RecordedTrial(Closing):
             RecordingError: if that is not recorded, and can't be.
         """
         step = self._step(action)
+        self._felt = _NOTHING if step is None else step.felt
         if step is None:
             return ActionOutcome(action, False, ActionResult.NOT_ALLOWED, 0.0)
         self._node = step.situation

@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from prospect_mj.agent import FeatureSettings, StateFeatureGenerator
+from prospect_mj.agent import FeatureSettings, Observation, StateFeatureGenerator
 from prospect_mj.errors import ProspectError
 
 HOLDINGS = ("none", "left", "right")
@@ -44,6 +44,49 @@ def test_feature_vector_by_hand(reading, holding, expected):
     features = generator.generate(counts(b7=3, b99=4), holding)
     assert features.dtype == np.float64
     np.testing.assert_allclose(features, np.concatenate(expected), rtol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("reading", "state", "expected"),
+    [
+        ("product", ("none", 1), [V, ZERO, ZERO, ZERO, ZERO, [0, 0, 0, 0, 1]]),
+        ("product", ("left", 1), [V, V, ZERO, ZERO, V, [1, 0, 0, 1, 1]]),
+        ("product", ("right", 0), [V, ZERO, V, V, ZERO, [0, 1, 1, 0, 1]]),
+        ("one_hot", ("none", 0), [V, ZERO, ZERO, ZERO, ZERO, [0, 0, 0, 0, 1]]),
+        ("one_hot", ("left", 0), [ZERO, V, ZERO, V, ZERO, [1, 0, 1, 0, 1]]),
+        ("one_hot", ("right", 1), [ZERO, ZERO, V, ZERO, V, [0, 1, 0, 1, 1]]),
+    ],
+)
+def test_two_categories_by_hand(reading, state, expected):
+    generator = StateFeatureGenerator(FeatureSettings(reading=reading), 2)
+    features = generator.generate(counts(b7=3, b99=4), *state)
+    np.testing.assert_allclose(features, np.concatenate(expected), rtol=1e-15)
+    low, high = generator.bounds
+    assert low.shape == high.shape == features.shape
+    assert ((low <= features) & (features <= high)).all()
+    assert (high[-5:] == 1).all()
+
+
+def test_states_are_in_the_order_of_their_numbers():
+    assert [*StateFeatureGenerator().states] == [(h, 0) for h in HOLDINGS]
+    generator = StateFeatureGenerator(categories=3)
+    seen = (Observation.of(generator.generate(V, *s)) for s in generator.states)
+    assert [one.haptic for one in seen] == list(range(7))
+
+
+@pytest.mark.parametrize("category", [-1, 3, 1.0, True, None])
+def test_a_category_that_is_none_is_refused_where_a_hand_holds(category):
+    generator = StateFeatureGenerator(categories=3)
+    with pytest.raises(ProspectError, match="haptic category is"):
+        generator.generate(V, "left", category)
+    assert not generator.generate(V, "none", category)[100:-1].any()
+    StateFeatureGenerator().generate(V, "left", category)
+
+
+@pytest.mark.parametrize("categories", [-1, 101, 2.0])
+def test_numbers_of_categories_are_checked(categories):
+    with pytest.raises(ProspectError, match="haptic categories is"):
+        StateFeatureGenerator(categories=categories)
 
 
 @pytest.mark.parametrize(

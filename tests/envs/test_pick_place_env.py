@@ -19,6 +19,7 @@ KEYS = {
     "action_mask",
     "orientation",
     "holding",
+    "category",
     "executed",
     "result",
     "sim_seconds",

@@ -5,6 +5,7 @@ import time
 import gymnasium
 import numpy as np
 import pytest
+from felt_models import THREE
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
 
 import prospect_mj  # noqa: F401  (registers the environment)
@@ -38,12 +39,14 @@ def assert_same(found, expected, told=None):
         assert np.array_equal(one, other)
 
 
-def test_every_environment_steps_as_a_single_one_does():
-    envs = RecordedVectorEnv(N, supervisor="productive", shaping=("insert-left:2",))
+@pytest.mark.parametrize("models", [None, THREE])
+def test_every_environment_steps_as_a_single_one_does(models):
+    told = {"supervisor": "productive", "shaping": ("insert-left:2",)}
+    envs = RecordedVectorEnv(N, haptic_models=models, **told)
     alone = [PickPlaceEnv(envs.settings) for _ in range(N)]
     observations, infos = envs.reset(seed=40)
     expected = [env.reset(seed=40 + i) for i, env in enumerate(alone)]
-    ended = [False] * N
+    ended, categories = [False] * N, set()
     for actions in [None, *chosen(80, N)]:
         if actions is not None:
             observations, *rest, infos = envs.step(actions)
@@ -57,6 +60,7 @@ def test_every_environment_steps_as_a_single_one_does():
                     expected.append((seen, told))
                     assert [part[i] for part in rest] == step
             ended = rest[1] | rest[2]
+        categories |= set(infos["category"])
         for i, (seen, told) in enumerate(expected):
             assert np.array_equal(observations[i], seen)
             assert {k for k in infos if not k.startswith("_")} == set(told)
@@ -64,6 +68,7 @@ def test_every_environment_steps_as_a_single_one_does():
                 assert infos[f"_{key}"][i]
                 assert np.array_equal(infos[key][i], value), key
             assert np.array_equal(envs.action_masks()[i], alone[i].action_masks())
+    assert categories == ({-1} if models is None else {-1, 0, 1, 2})
 
 
 @pytest.mark.parametrize("mode", [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP])

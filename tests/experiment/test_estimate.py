@@ -6,6 +6,7 @@ from scipy import stats
 
 from prospect_mj.experiment.estimate import (
     Estimate,
+    clustered_share,
     mean_of_few,
     share,
     stratified_mean,
@@ -26,6 +27,23 @@ def test_shares_have_wilsons_interval(part, whole, low, high):
     found = share(part, whole)
     assert found.estimate == part / whole
     assert (found.low, found.high) == pytest.approx((low, high), abs=5e-5)
+
+
+@pytest.mark.parametrize(("part", "whole"), [(81, 263), (0, 20), (20, 20)])
+def test_clusters_of_one_are_cases(part, whole):
+    found, expected = clustered_share(part, whole, whole), share(part, whole)
+    assert found.estimate == expected.estimate
+    assert found.low == pytest.approx(expected.low, abs=1e-12)
+    assert found.high == pytest.approx(expected.high, abs=1e-12)
+
+
+def test_cases_that_come_in_pairs_count_half():
+    assert clustered_share(40, 60, 30) == clustered_share(20, 30, 30)
+    # Half a case: the bounds are the roots of (p - b)^2 = z^2 b (1 - b) / n.
+    z, found = stats.norm.ppf(0.975), clustered_share(23, 24, 12)
+    for bound in (found.low, found.high):
+        error = (23 / 24 - bound) ** 2
+        assert error == pytest.approx(z**2 * bound * (1 - bound) / 12)
 
 
 def test_all_solved_leaves_a_chance():

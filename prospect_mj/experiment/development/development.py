@@ -30,7 +30,6 @@ def develop(
     settings: StudySettings,
     extent: Extent,
     recordings: Recordings,
-    recording: Path | None = None,
     jobs: int = 1,
     tell: Tell = print,
 ) -> Path:
@@ -41,8 +40,6 @@ def develop(
         settings: its size.
         extent: which parts of it.
         recordings: of the worlds that these need.
-        recording: folder of the standard world's recording; None is the one that comes
-            with the package.
         jobs: threads, and processes of what needs them.
         tell: takes a line for people now and then.
 
@@ -57,7 +54,7 @@ def develop(
     check_ready(settings, extent, recordings)
     origin = recording_digest(recordings.standard)
     with ReportFolder.open(out, KIND, settings, origin) as folder:
-        study = Study(out, settings, extent, recordings, recording, jobs, tell)
+        study = Study(out, settings, extent, recordings, jobs, tell)
         _write(folder, study.results(), recordings)
         if extent == Extent():
             _warn(out, study.unused())

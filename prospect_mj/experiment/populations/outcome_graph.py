@@ -1,9 +1,9 @@
 """Graphs of outcomes that the compiled learner walks on: recorded ones, ideal ones."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from prospect_mj.actions.action import Action
+from prospect_mj.agent.haptics import haptic_states
 from prospect_mj.experiment.populations.kernels.graph import Graph
 from prospect_mj.experiment.populations.world import World
 from prospect_mj.recording.choices import choice_sets
@@ -26,25 +26,17 @@ def recorded_graph(recording: Recording | World, supervisor: Supervisor) -> Grap
     """
     world = World.of(recording)
     nodes, predicates = world.recording.nodes, world.recording.predicates
+    category = 0 if world.category is None else world.category
     # Copies: numba compiles anew for arrays that are read-only or not contiguous.
     return Graph(
         child=np.array(nodes.child, np.int32),
         situation=np.array(nodes.situation, np.int32),
         inserted=np.array(nodes.inserted, np.bool_),
         holding=np.array(nodes.holding, np.int64),
-        haptic=haptic_states(world),
+        haptic=haptic_states(nodes.holding, category, world.categories),
         state=np.array(nodes.predicates, np.int32),
         choices=choice_sets(supervisor, predicates.states).astype(bool),
     )
-
-
-def haptic_states(world: World) -> NDArray[np.int64]:
-    """(n,): the haptic state in each node of a world (see `agent.haptics`)."""
-    holding = np.array(world.recording.nodes.holding, np.int64)
-    if world.category is None:
-        return holding
-    state = 1 + (holding - LEFT) * world.categories + world.category
-    return np.where(holding == NONE, NONE, state)
 
 
 def joined(first: Graph, second: Graph) -> Graph:

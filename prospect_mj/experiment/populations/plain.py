@@ -5,8 +5,6 @@ This is what the compiled kernels are held against: the learners, `RecordedTask`
 numbers that the kernels draw.
 """
 
-from typing import get_args
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,14 +12,11 @@ from prospect_mj.actions.action import Action
 from prospect_mj.agent import Observation, Transition
 from prospect_mj.agent.discovery import DiscoveryQ
 from prospect_mj.agent.failed_actions import FailedActionRule
-from prospect_mj.agent.features import Holding
-from prospect_mj.agent.haptics import haptic_state
+from prospect_mj.agent.features import HOLDINGS
+from prospect_mj.agent.haptics import haptic_state, n_haptic
 from prospect_mj.experiment.populations.population import Learned
 from prospect_mj.experiment.populations.programme import Programme, Run
-from prospect_mj.experiment.populations.twins.sight import haptic_bits
 from prospect_mj.recording.task import RecordedTask
-
-_HOLDINGS: tuple[Holding, ...] = get_args(Holding)
 
 
 class _Drawn:
@@ -34,9 +29,7 @@ class _Drawn:
 def learn_plainly(programme: Programme, number: int) -> Learned:
     """Let one learner of a population learn, action by action."""
     run, settings = programme.run(number), programme.settings
-    done = Learned.nothing(
-        run, settings.max_actions, len(haptic_bits(settings.categories))
-    )
+    done = Learned.nothing(run, settings.max_actions, n_haptic(settings.categories))
     begins = 0
     for number_of_world, world in enumerate(programme.worlds):
         task = RecordedTask(world.recording, programme.supervisor, settings.max_actions)
@@ -104,27 +97,17 @@ class _PlainTrials:
 
     @property
     def _holding(self) -> int:
-        return _HOLDINGS.index(self._task.holder or "none")
+        return HOLDINGS.index(self._task.holder or "none")
 
     def _observation(self, trial: int) -> Observation:
         """The present state, as every learner knows it."""
         trials, holding = self._run.trials, self._holding
         histogram = self._run.histograms[trials.image[trial]]
         generator, world = self._programme.generator, self._world
-        visual, haptic = generator.scaled_histogram(histogram), holding
-        features = generator.generate(histogram, _HOLDINGS[holding])
-        if world.category is not None:
-            category = int(world.category[self._task.node])
-            haptic = haptic_state(holding, category, world.categories)
-            bits = haptic_bits(world.categories)[haptic]
-            features = self._with_categories(visual, bits)
-        orientation = int(trials.orientation[trial])
-        return Observation(features, visual, haptic, orientation)
-
-    def _with_categories(
-        self, visual: NDArray[np.float64], bits: NDArray[np.bool_]
-    ) -> NDArray[np.float64]:
-        """Phi = (v, v x each bit, the bits, 1)."""
-        alone = self._programme.settings.features.reading == "one_hot" and bits.any()
-        blocks = [visual * (not alone), *(visual * bit for bit in bits)]
-        return np.concatenate([*blocks, bits, [1.0]])
+        category = 0 if world.category is None else world.category[self._task.node]
+        return Observation(
+            generator.generate(histogram, HOLDINGS[holding], int(category)),
+            generator.scaled_histogram(histogram),
+            haptic_state(holding, int(category), world.categories),
+            int(trials.orientation[trial]),
+        )

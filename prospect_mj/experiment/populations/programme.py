@@ -100,7 +100,7 @@ class Programme:
         self.supervisor = Supervisor(settings.supervisor, settings.shaping)
         graphs = [recorded_graph(world, self.supervisor) for world in self.worlds]
         self.graph = graphs[0] if then is None else joined(*graphs)
-        self.generator = StateFeatureGenerator(settings.features)
+        self.generator = StateFeatureGenerator(settings.features, settings.categories)
         self._phase = phases(self.supervisor, np.arange(scenario.all_trials))
         self._shown = Shown.of(self.worlds, settings.max_actions)
         self._visual = self._scaled(self._shown.histograms)

@@ -22,18 +22,17 @@ both hands are worth the same (w does not differ); c_i < 0 speaks for the wrong 
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Self, get_args
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.actions.action import Action
 from prospect_mj.agent import LinearQ, Observation, StateFeatureGenerator
-from prospect_mj.agent.features import N_BINS, Holding
+from prospect_mj.agent.features import N_BINS, HapticState
+from prospect_mj.agent.haptics import NONE
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
 from prospect_mj.task.presentation import Orientation
-
-HOLDINGS: tuple[Holding, ...] = get_args(Holding)
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +44,9 @@ class MadeUpMind:
     v: Mapping[Orientation, Floats]
     """(100,) [1], mean histogram by side of the lid."""
     q_values: Mapping[Orientation, Floats]
-    """(6, 3) [actions], mean Q of every action by who holds the jar (`HOLDINGS`)."""
+    """(6, h) [actions], mean Q of every action in every haptic state."""
+    states: tuple[HapticState, ...]
+    """(h,): the haptic states."""
 
     @classmethod
     def of(
@@ -70,7 +71,7 @@ class MadeUpMind:
             for side, rows in counts.items()
         }
         blocks = learner.weights[:, : 3 * N_BINS].reshape(-1, 3, N_BINS)
-        return cls(blocks, v, q_values)
+        return cls(blocks, v, q_values, generator.states)
 
     @property
     def contributions(self) -> Floats:
@@ -82,10 +83,9 @@ class MadeUpMind:
     @property
     def preferences(self) -> dict[Orientation, float]:
         """Mean D [actions] by side of the lid; see the module."""
-        nobody = HOLDINGS.index("none")
         return {
             side: float(
-                table[Action.GRASP_LEFT, nobody] - table[Action.GRASP_RIGHT, nobody]
+                table[Action.GRASP_LEFT, NONE] - table[Action.GRASP_RIGHT, NONE]
             )
             for side, table in self.q_values.items()
         }
@@ -94,11 +94,11 @@ class MadeUpMind:
 def _mean_values(
     learner: LinearQ, generator: StateFeatureGenerator, rows: NDArray[np.int64]
 ) -> Floats:
-    """Mean Q (6, 3) of every action by who holds the jar, over pictures (n, 100)."""
+    """Mean Q (6, h) in h haptic states, over pictures (n, 100)."""
     # Q is linear: its mean is that of the mean features.
     means = [
-        np.mean([generator.generate(one, holding) for one in rows], axis=0)
-        for holding in HOLDINGS
+        np.mean([generator.generate(one, *state) for one in rows], axis=0)
+        for state in generator.states
     ]
     seen = map(Observation.of, means)
     return np.column_stack([learner.q_values(one) for one in seen])

@@ -61,6 +61,8 @@ def draw(run: RunView, n_misled: int, say: Say) -> dict[str, bytes]:
     if not isinstance(run.learner, LinearQ):
         del work[WEIGHTS]
         say(f"no {WEIGHTS}: {_no_weights(run)}")
+    elif run.config.categories:
+        say(f"{WEIGHTS} leaves out the weights of the haptic categories")
     if n_misled:
         work[MISLED] = lambda: _misled(run, n_misled)
     elif GRASPS not in work:
@@ -109,11 +111,12 @@ def weights_of(run: RunView, kept: Mapping[Orientation, NDArray[np.int64]]) -> b
     """
     if not isinstance(run.learner, LinearQ):
         raise RunFolderError(f"{run.path} can't be drawn: {_no_weights(run)}")
-    settings = run.config.features
-    seen = SeenHistograms.of(kept, run.config)
-    mind = MadeUpMind.of(run.learner, StateFeatureGenerator(settings), seen.counts)
+    config = run.config
+    seen = SeenHistograms.of(kept, config)
+    generator = StateFeatureGenerator(config.features, config.categories)
+    mind = MadeUpMind.of(run.learner, generator, seen.counts)
     of = f"{name_of(run)}, after {run.n_trials} trials; histograms of {seen.source}"
-    return weights(mind, settings.reading, of)
+    return weights(mind, config.features.reading, of)
 
 
 def _no_weights(run: RunView) -> str:

@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import SubFigure
 from matplotlib.patches import Rectangle
 
+from prospect_mj.agent.features import HapticState
 from prospect_mj.experiment.paper.figures.figure_frame import (
     INK,
     SMALL,
@@ -24,7 +25,7 @@ def draw_tables(
     figure: SubFigure,
     tables: Mapping[Orientation, Floats],
     actions: Sequence[str],
-    holdings: Sequence[str],
+    states: Sequence[HapticState],
 ) -> None:
     """Draw a table per orientation, side by side; the best of a state has a frame.
 
@@ -32,7 +33,7 @@ def draw_tables(
         figure: where they go.
         tables: (n_actions, n_states) [actions], by side of the lid.
         actions: names of the rows.
-        holdings: who holds the jar in the state of each column.
+        states: those of the columns.
     """
     panels = figure.subplots(1, len(tables), sharey=True)
     low = min(table.min() for table in tables.values())
@@ -41,13 +42,28 @@ def draw_tables(
         axes.imshow(values, aspect="auto", cmap="cividis", vmin=low, vmax=high)
         _write_numbers(axes, values, (low + high) / 2)
         _frame_best(axes, values)
-        axes.set_xticks(range(len(holdings)), [_HELD[name] for name in holdings])
-        title = f"lid {side}: mean Q [actions], the best one framed\nthe jar is held by"
+        axes.set_xticks(range(len(states)), _names(states))
+        title = f"lid {side}: mean Q [actions], the best one framed\n{_held_by(states)}"
         axes.set_title(title, loc="left", fontsize=SMALL, color=INK)
         axes.xaxis.tick_top()
         axes.tick_params(length=0, labelsize=SMALL)
         axes.spines[:].set_visible(False)
     panels[0].set_yticks(range(len(actions)), actions)
+
+
+def _held_by(states: Sequence[HapticState]) -> str:
+    """What the names of the states tell."""
+    told = "" if len(states) == len(_HELD) else ", and the grasp's category"
+    return f"the jar is held by{told}"
+
+
+def _names(states: Sequence[HapticState]) -> list[str]:
+    """Who holds the jar; with categories of grasps short, and which one it is."""
+    if len(states) == len(_HELD):
+        return [_HELD[state.holding] for state in states]
+    return [
+        "none" if s.holding == "none" else f"{s.holding}\n{s.category}" for s in states
+    ]
 
 
 def signed(value: float) -> str:

@@ -13,7 +13,7 @@ from prospect_mj.experiment.paper.figures.figure_frame import (
     VERMILION,
     write,
 )
-from prospect_mj.experiment.portraits.decisive_bins import HOLDINGS, MadeUpMind
+from prospect_mj.experiment.portraits.decisive_bins import MadeUpMind
 from prospect_mj.experiment.portraits.value_tables import draw_tables, signed
 from prospect_mj.experiment.run.plots import png
 from prospect_mj.experiment.run.records import ACTION_NAMES
@@ -58,7 +58,7 @@ def weights(mind: MadeUpMind, reading: str, of: str) -> bytes:
     _draw_contributions(decisive, mind)
     decisive.set_xlim(-0.5, N_BINS - 0.5)
     decisive.set_xlabel("histogram bin, from dark to bright")
-    draw_tables(below, mind.q_values, ACTION_NAMES, HOLDINGS)
+    draw_tables(below, mind.q_values, ACTION_NAMES, mind.states)
     return png(figure)
 
 

@@ -6,14 +6,15 @@ from pathlib import Path
 from typing import Any, Self, get_args
 
 from prospect_mj.agent.failed_actions import FailedActions
-from prospect_mj.agent.features import N_FEATURES, FeatureSettings
-from prospect_mj.agent.haptics import N_HOLDINGS
+from prospect_mj.agent.features import FeatureSettings
+from prospect_mj.agent.haptics import n_features, n_haptic
 from prospect_mj.agent.learners import settings_of
 from prospect_mj.agent.settings import AnyLearnerSettings, LearnerSettings
 from prospect_mj.checks import check_choice, check_integer, check_names
 from prospect_mj.envs.settings import Physics
 from prospect_mj.errors import InvalidValue, ProspectError
 from prospect_mj.experiment.run.records import ACTION_NAMES
+from prospect_mj.haptics import TrajectoryModels
 from prospect_mj.recording import shipped
 from prospect_mj.recording.config import (
     LARGEST_SEED,
@@ -73,6 +74,9 @@ class TrainConfig:
     none, holds the jar: allowed, or suppressed for the rest of the trial."""
     features: FeatureSettings = field(default_factory=FeatureSettings)
     """The state features."""
+    haptic_models: TrajectoryModels | None = None
+    """Categories of grasps that the state tells as well (docs/haptics.md); none: it
+    tells only which hand holds the jar."""
     learner: AnyLearnerSettings = field(default_factory=LearnerSettings)
     """The learner, with the parameters that it has."""
 
@@ -95,6 +99,9 @@ class TrainConfig:
             )
         rules = get_args(FailedActions)
         check_choice("failed actions", self.failed_actions, rules)
+        if not isinstance(self.haptic_models, TrajectoryModels | None):
+            expected = "TrajectoryModels, or None"
+            raise InvalidValue("haptic models", self.haptic_models, expected)
         self._check_sizes()
 
     def _check_sizes(self) -> None:
@@ -103,8 +110,8 @@ class TrainConfig:
             raise InvalidValue("learner", self.learner, "settings of a learner")
         sizes = {
             "n_actions": ("number of actions", len(ACTION_NAMES)),
-            "n_features": ("number of features", N_FEATURES),
-            "n_haptic": ("number of haptic states", N_HOLDINGS),
+            "n_features": ("number of features", n_features(self.categories)),
+            "n_haptic": ("number of haptic states", n_haptic(self.categories)),
         }
         for name, (what, size) in sizes.items():
             check_integer(what, getattr(self.learner, name, size), size, size)
@@ -123,11 +130,17 @@ class TrainConfig:
                     **plain,
                     "shaping": tuple(plain["shaping"]),
                     "features": FeatureSettings(**plain["features"]),
+                    "haptic_models": _models(plain["haptic_models"]),
                     "learner": settings_of(plain["learner"]),
                 }
             )
         except (TypeError, AttributeError) as error:
             raise ProspectError(f"settings of the wrong type: {error}") from error
+
+    @property
+    def categories(self) -> int:
+        """K, number of the categories of grasps that the state tells."""
+        return 0 if self.haptic_models is None else len(self.haptic_models)
 
     @property
     def recording_folder(self) -> Path:
@@ -143,3 +156,7 @@ class TrainConfig:
     def with_trials(self, trials: int) -> Self:
         """The same run, longer or shorter."""
         return replace(self, trials=trials)
+
+
+def _models(plain: Mapping[str, Any] | None) -> TrajectoryModels | None:
+    return None if plain is None else TrajectoryModels.from_dict(plain)

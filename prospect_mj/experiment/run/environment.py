@@ -61,5 +61,6 @@ def make_environment(config: TrainConfig) -> Environment:
         world=config.world,
         max_actions=config.max_actions,
         features=config.features,
+        haptic_models=config.haptic_models,
     )
     return PickPlaceEnv(settings)

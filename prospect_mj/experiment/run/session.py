@@ -118,6 +118,8 @@ def check_same_run(path: Path, stored: TrainConfig, config: TrainConfig) -> None
             f"{path} has {stored.trials} trials; --trials can only add to them"
         )
     if config != stored.with_trials(config.trials):
+        if config.haptic_models != stored.haptic_models:
+            raise RunFolderError(f"{path} is another run: its haptic models are others")
         wanted, had = _flat(asdict(config)), _flat(asdict(stored))
         # First which learner it is: others have other settings.
         names = ("learner.name", *(name for name in had if name != "trials"))

@@ -6,7 +6,12 @@ from numpy.lib.stride_tricks import sliding_window_view
 from synthetic import of_strategies
 
 from prospect_mj.experiment.paper.measures import easy_trials, learning
-from prospect_mj.experiment.paper.measures.bootstrap import band, interval, times_drawn
+from prospect_mj.experiment.paper.measures.bootstrap import (
+    band,
+    interval,
+    median,
+    times_drawn,
+)
 from prospect_mj.experiment.paper.measures.curves import KindCounts, RunCounts
 from prospect_mj.experiment.paper.measures.sample import Pair
 from prospect_mj.experiment.populations.scenario import Scenario
@@ -101,3 +106,9 @@ def test_a_resample_that_lacks_it_leaves_the_interval_to_the_others():
     none = interval(np.nan, np.full(5, np.nan))
     assert np.isnan(none[:3]).all()
     assert none.lacking == 1
+
+
+def test_a_median_is_a_data_point_and_infinite_where_most_are():
+    values = np.array([[4.0, 1.0, 3.0, 2.0], [np.inf, 7.0, np.inf, 5.0]])
+    assert median(values).tolist() == [2.0, 7.0]
+    assert median(np.array([np.inf, 7.0, np.inf])) == np.inf

@@ -7,12 +7,14 @@ from ideal_env import counts_per_orientation
 from prospect_mj.actions.action import Action
 from prospect_mj.agent import (
     FeatureSettings,
+    LearnerSettings,
     LinearQ,
     Observation,
     StateFeatureGenerator,
 )
 from prospect_mj.agent.features import N_BINS
-from prospect_mj.experiment.portraits.decisive_bins import HOLDINGS, MadeUpMind
+from prospect_mj.agent.haptics import n_features, n_haptic
+from prospect_mj.experiment.portraits.decisive_bins import MadeUpMind
 from prospect_mj.experiment.run.config import TrainConfig
 
 UNSCALED = FeatureSettings(normalisation="unit_sum")
@@ -22,8 +24,8 @@ def pictures(rng, n=7):
     return {side: rng.integers(0, 50, (n, N_BINS)) for side in ("left", "right")}
 
 
-def learner(rng):
-    learned = LinearQ()
+def learner(rng, categories=0):
+    learned = LinearQ(LearnerSettings(n_features=n_features(categories)))
     learned.weights[:] = rng.normal(size=learned.weights.shape)
     return learned
 
@@ -76,14 +78,17 @@ def test_exchanging_hands_and_sides_leaves_contributions_as_they_are():
     np.testing.assert_allclose(after, before, atol=1e-15)
 
 
-def test_q_values_are_means_over_the_pictures():
+@pytest.mark.parametrize("categories", [0, 2])
+def test_q_values_are_means_over_the_pictures(categories):
     rng = np.random.default_rng(7)
-    learned, shown = learner(rng), pictures(rng)
-    generator = StateFeatureGenerator()
+    learned, shown = learner(rng, categories), pictures(rng)
+    generator = StateFeatureGenerator(categories=categories)
     mind = MadeUpMind.of(learned, generator, shown)
-    for column, holding in enumerate(HOLDINGS):
+    assert mind.q_values["right"].shape == (6, len(mind.states))
+    assert len(mind.states) == n_haptic(categories)
+    for column, state in enumerate(mind.states):
         one_by_one = [
-            learned.q_values(Observation.of(generator.generate(counts, holding)))
+            learned.q_values(Observation.of(generator.generate(counts, *state)))
             for counts in shown["right"]
         ]
         mean = np.mean(one_by_one, axis=0)

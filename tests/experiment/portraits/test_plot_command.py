@@ -6,9 +6,11 @@ import sys
 
 import numpy as np
 import pytest
+from felt_models import THREE
 from ideal_env import IdealEnv
 
-from prospect_mj.agent import TableSettings, checkpoint
+from prospect_mj.agent import LearnerSettings, TableSettings, checkpoint
+from prospect_mj.agent.learners import with_categories
 from prospect_mj.cli import new_file
 from prospect_mj.cli.plot import main
 from prospect_mj.episodes import episode_file
@@ -60,6 +62,17 @@ def test_weights_over_grey_levels_need_a_linear_learner(tmp_path, capsys):
     said = capsys.readouterr().err.splitlines()
     why = "it needs a linear learner, and this is a table learner"
     assert said[0] == f"no weights.png: {why}"
+
+
+def test_weights_of_categories_are_left_out_and_told_of(tmp_path, capsys):
+    learner = with_categories(LearnerSettings(), len(THREE))
+    config = TrainConfig(trials=4, learner=learner, haptic_models=THREE)
+    path = tmp_path / "run"
+    session.start(config, path, IdealEnv, say=lambda _: None)
+    assert main([str(path)]) == 0
+    said = capsys.readouterr().err.splitlines()
+    assert said[0] == "weights.png leaves out the weights of the haptic categories"
+    assert names(path / "plots") == ALWAYS
 
 
 def test_a_run_that_was_drawn_goes_on(run):

@@ -10,6 +10,7 @@ from prospect_mj.experiment.development.claims.criteria import (
     Criterion,
     Judged,
     all_of,
+    develops,
 )
 from prospect_mj.experiment.development.claims.findings import Findings
 from prospect_mj.experiment.development.claims.single_runs import (
@@ -44,6 +45,8 @@ class Claim:
     verdict: Verdict
     evidence: str
     """What was measured."""
+    name: str = ""
+    """For what rests on it."""
 
 
 Asked = Mapping[Row, Mapping[str, Judged]]
@@ -63,11 +66,7 @@ def asked(rows: Mapping[Row, Findings], criteria: Sequence[Criterion]) -> Asked:
 
 def developing(rows: Mapping[Row, Findings]) -> dict[Row, Verdict]:
     """Whether each row develops as infants do, by all criteria together."""
-    judged = asked(rows, LIKE_INFANTS)
-    return {
-        row: all_of([one.verdict for one in criteria.values()])
-        for row, criteria in judged.items()
-    }
+    return {row: develops(findings) for row, findings in rows.items()}
 
 
 def claims(rows: Mapping[Row, Findings]) -> list[Claim]:
@@ -90,9 +89,9 @@ def _evidence(criteria: Mapping[str, Judged]) -> str:
 def _paper(rows: Mapping[Row, Findings]) -> Claim:
     judged = asked({AS_PAPER: rows[AS_PAPER]}, UNLIKE_INFANTS)[AS_PAPER]
     return Claim(
-        "The paper's learner, free to repeat a failed action, shows the two mismatches "
-        "that the paper admits: corrections never dominate, and late ones are not gone "
-        "before early ones.",
+        "The paper's learner, free to repeat a failed action, is unlike infants in the "
+        "two ways that the paper admits: corrections don't exceed the optimal strategy "
+        "for fifty trials on end, and late ones are not gone before early ones.",
         all_of([one.verdict for one in judged.values()]),
         _evidence(judged),
     )
@@ -135,7 +134,11 @@ _OF_SINGLE_RUNS = (
         "Most single learners go the same way, not just their mean: the median late "
         "correction comes before the median early one.",
     ),
-    (ABRUPTLY, "Single learners change from late to early corrections abruptly."),
+    (
+        ABRUPTLY,
+        "Single learners change from late to early corrections abruptly, as if within "
+        "ten difficult trials.",
+    ),
     (
         LATE_ALONE,
         "Before the mixture of late and early corrections there is a phase of late "
@@ -151,29 +154,43 @@ def _shared(rows: Mapping[Row, Findings], criterion: Criterion, words: str) -> C
     its = judged.pop(CONJECTURED)
     also = [row.words for row, one in judged.items() if one.verdict is Verdict.HOLDS]
     others = f"; it also holds for: {'; '.join(also) or 'none'}" if judged else ""
-    return Claim(words, its.verdict, its.words + others)
+    return Claim(words, its.verdict, its.words + others, criterion.name)
 
 
-def between_learners(findings: Findings) -> Claim:
+def between_learners(populations: Mapping[str, Findings]) -> Claim:
     """Whether the mixture of a population of different learners is one of learners.
 
     Args:
-        findings: of a population with spread parameters.
+        populations: with spread parameters, by their learner; that of the conjecture is
+            among them.
     """
+    found = {
+        name: all_of([ABRUPTLY.judge(one).verdict, mixed_in_mean(one)])
+        for name, one in populations.items()
+    }
+    its = found.pop(CONJECTURED.learner)
+    also = [name for name, verdict in found.items() if verdict is Verdict.HOLDS]
+    evidence = change_words(populations[CONJECTURED.learner].changes)
+    if found:
+        evidence += f"; it also holds for: {', '.join(also) or 'none'}"
     return Claim(
         "Where learners differ, late and early corrections are mixed in their mean, "
         "and not within a learner.",
-        all_of([ABRUPTLY.judge(findings).verdict, mixed_in_mean(findings)]),
-        change_words(findings.changes),
+        its,
+        evidence,
+        BETWEEN,
     )
 
 
+BETWEEN = "between learners"
+RESTS_ON = LATE_ALONE.name, ABRUPTLY.name, BETWEEN
+"""Names of the claims that the prediction comes from."""
 PREDICTION = (
     "A longitudinal study that films the same children every few days, in place of "
     "different children of three ages, will find two things if children learn as this "
     "learner does. Each child has a phase of late corrections alone before its first "
     "early ones, earlier than the 9 months at which both are about equally frequent in "
-    "the mean. And each child changes from late to early corrections within a few "
+    "the mean. And each child changes from late to early corrections within about ten "
     "difficult trials: the mixture at 9 months is one of children, not within a child."
 )
 """That a study of children could refute."""

@@ -49,7 +49,7 @@ def change_words(found: Changes) -> str:
     own, common = (with_interval(one, Kind.RATIO) for one in (found.own, found.common))
     return (
         f"of {found.n_runs} runs with ten of both kinds each, {own} corrections a run "
-        f"are on the wrong side of its own change, at most {ABRUPT} in "
+        "are on the wrong side of its own change, at most one in "
         f"{found.abrupt.words(0, 100)} %; {common} are of one change for all"
     )
 
@@ -69,11 +69,9 @@ LATE_ALONE = Criterion(
 ABRUPTLY = Criterion(
     "abrupt, run by run",
     f"a run has at most {ABRUPT} corrections, in the mean, on the wrong side of its "
-    "own change from late to early ones",
+    "own change from late to early ones, as if that took ten difficult trials",
     _abrupt,
 )
-SINGLE_RUNS = LATE_FIRST, LATE_ALONE, ABRUPTLY
-"""In the order of tables."""
 
 
 def mixed_in_mean(findings: Findings) -> Verdict:

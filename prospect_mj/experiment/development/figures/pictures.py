@@ -6,21 +6,16 @@ from functools import partial
 from prospect_mj.experiment.development.figures import (
     crossed,
     found,
+    haptics,
     intervals,
     shares,
     single_runs,
 )
+from prospect_mj.experiment.development.figures.rivals import learning_curves
 from prospect_mj.experiment.development.figures.shares import Panel
-from prospect_mj.experiment.development.haptics import figure as haptics
 from prospect_mj.experiment.development.haptics.haptics import HapticResults
-from prospect_mj.experiment.development.haptics.section import (
-    PORTRAITS,
-    SEPARATION,
-    STRATEGIES,
-)
-from prospect_mj.experiment.development.rivals.figure import learning_curves
-from prospect_mj.experiment.development.rivals.section import FIGURE
-from prospect_mj.experiment.development.study import causal, learners
+from prospect_mj.experiment.development.haptics.touch import TOUCHES
+from prospect_mj.experiment.development.study import causal, haptic_rows, learners
 from prospect_mj.experiment.development.study.pictures import jar_pictures
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.recording.recording import Recording
@@ -51,10 +46,12 @@ def pictures(results: Results, recording: Recording) -> Iterator[tuple[str, byte
     if results.found is not None:
         yield "found", found.found(results.found, jar_pictures(recording))
     if results.haptics is not None:
-        yield from _haptics(results.haptics)
+        yield from _grasps(results.haptics)
+    if results.touches:
+        yield "haptics_strategies", _touches(results)
     if results.rivals is not None:
         rivals = results.rivals
-        yield _stem(FIGURE), learning_curves(rivals.curves, rivals.settings)
+        yield "rivals", learning_curves(rivals.curves, rivals.settings)
 
 
 def _strategies(results: Results) -> bytes:
@@ -140,11 +137,19 @@ def _change(results: Results) -> bytes:
     return shares.shares(title, _BANDS, panels, "trial after the change")
 
 
-def _haptics(results: HapticResults) -> Iterator[tuple[str, bytes]]:
-    yield _stem(PORTRAITS), haptics.portraits(results.grasps, results.models)
-    yield _stem(SEPARATION), haptics.separation(results.told)
-    yield _stem(STRATEGIES), haptics.strategies(results.effect.shares)
+def _grasps(results: HapticResults) -> Iterator[tuple[str, bytes]]:
+    yield "haptics_portraits", haptics.portraits(results.grasps, results.models)
+    yield "haptics_separation", haptics.separation(results.told)
 
 
-def _stem(path: str) -> str:
-    return path.rpartition("/")[2].removesuffix(".png")
+def _touches(results: Results) -> bytes:
+    rows = {(one.row.name, one.row.touch): one.development for one in results.touches}
+    panels = [
+        [
+            Panel(f"{name}, told: {touch}", rows[name, touch])
+            for name in haptic_rows.FEELING
+        ]
+        for touch in TOUCHES
+    ]
+    title = "Difficult trials of learners that are told more of a grasp"
+    return shares.shares(title, f"{_BANDS}; {_DOTTED}", panels)

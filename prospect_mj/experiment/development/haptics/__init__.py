@@ -1,1 +1,1 @@
-"""What categories of grasps tell that two bits can't, and what they do to learning."""
+"""What the fingers feel of a jar, and which end that tells, beyond the two bits."""

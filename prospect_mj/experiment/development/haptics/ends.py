@@ -9,6 +9,9 @@ the ends that are more frequent in them. What they are compared with:
 - the time that the fingers close until they touch, with a threshold halfway between the
   means of both ends. It is no part of the phase portrait, and told the ends to begin
   with: it shows what the hand's own posture has to say.
+
+Grasps of one presentation share where the jar lies and what the eyes saw. So intervals
+are as wide as if each presentation were a single grasp.
 """
 
 from collections.abc import Callable, Sequence
@@ -21,12 +24,12 @@ from numpy.typing import NDArray
 from prospect_mj.errors import RecordingError
 from prospect_mj.experiment.development.haptics.grasp import (
     BODY,
-    CRADLE,
-    HAND_OVER,
+    KINDS,
     LID,
     Grasp,
 )
-from prospect_mj.experiment.estimate import share
+from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY
+from prospect_mj.experiment.estimate import clustered_share
 from prospect_mj.haptics import ClusterSettings, Fit, categories, fit
 
 TOLD = pa.schema(
@@ -35,18 +38,20 @@ TOLD = pa.schema(
         "kind": pa.string(),
         "by": pa.string(),
         "grasps": pa.int32(),
+        "presentations": pa.int32(),
         "told": pa.float64(),
         "low": pa.float64(),
         "high": pa.float64(),
     }
 )
-"""Share of grasps [1] whose end is told right, with Wilson's 95 % interval."""
+"""Share of grasps [1] whose end is told right, with its 95 % interval."""
 NUMBERS = pa.schema(
     {
         "jar": pa.string(),
         "models": pa.int32(),
         "bic": pa.float64(),
         "grasps": pa.int32(),
+        "presentations": pa.int32(),
         "told": pa.float64(),
         "low": pa.float64(),
         "high": pa.float64(),
@@ -54,12 +59,8 @@ NUMBERS = pa.schema(
 )
 """For each number of models: the criterion on all grasps, and the share told right."""
 
-BY = BITS, TOUCH, CATEGORY, TIME = (
-    "two bits",
-    "category at first touch",
-    "category",
-    "closing time",
-)
+FIRST_TOUCH, TIME = "category at first touch", "closing time"
+BY = BITS, FIRST_TOUCH, CATEGORY, TIME
 """What tells the end."""
 _FOLDS = 6
 
@@ -87,9 +88,9 @@ def told(
     right = _right(grasps, settings, rng)
     kinds = np.array([grasp.kind for grasp in grasps])
     rows = [
-        {"jar": jar, "kind": kind, "by": by, **_share(hits[kinds == kind])}
+        {"jar": jar, "kind": kind, "by": by, **_share(hits, grasps, kinds == kind)}
         for by, hits in right.items()
-        for kind in (CRADLE, HAND_OVER)
+        for kind in KINDS
         if (kinds == kind).any()
     ]
     return pa.Table.from_pylist(rows, schema=TOLD)
@@ -111,11 +112,12 @@ def numbers(
         settings: of a clustering into so many models.
         rng: draws the starts.
     """
-    rows = []
+    rows, all_of_them = [], np.ones(len(grasps), np.bool_)
     for n_models in range(1, most + 1):
         bic = clustered(grasps, settings(n_models), rng).bic
         hits = _right(grasps, settings(n_models), rng)[CATEGORY]
-        rows.append({"jar": jar, "models": n_models, "bic": bic, **_share(hits)})
+        shares = _share(hits, grasps, all_of_them)
+        rows.append({"jar": jar, "models": n_models, "bic": bic, **shares})
     return pa.Table.from_pylist(rows, schema=NUMBERS)
 
 
@@ -132,9 +134,7 @@ def _right(
     """By what tells: (g,), whether it says which end each grasp is at."""
     fold = np.array([grasp.presentation % _FOLDS for grasp in grasps])
     end = _ends(grasps)
-    right = {
-        by: np.zeros(len(grasps), np.bool_) for by in (BITS, TOUCH, CATEGORY, TIME)
-    }
+    right = {by: np.zeros(len(grasps), np.bool_) for by in BY}
     for tried in np.unique(fold):
         learned = [g for g, part in zip(grasps, fold, strict=True) if part != tried]
         others = [g for g, part in zip(grasps, fold, strict=True) if part == tried]
@@ -154,7 +154,7 @@ def _rules(
     limit = (times[end == BODY].mean() + times[end == LID].mean()) / 2
     by: dict[str, _Predictor] = {
         BITS: lambda some: np.array([int(g.hand == "right") for g in some]),
-        TOUCH: lambda some: categories([g.samples[:1] for g in some], models),
+        FIRST_TOUCH: lambda some: categories([g.samples[:1] for g in some], models),
         CATEGORY: lambda some: categories([g.samples for g in some], models),
         TIME: lambda some: (_times(some) > limit).astype(np.int64),
     }
@@ -180,7 +180,22 @@ def _times(grasps: Sequence[Grasp]) -> NDArray[np.float64]:
     return np.array([grasp.felt[0, 0] for grasp in grasps], np.float64)
 
 
-def _share(hits: NDArray[np.bool_]) -> dict[str, float]:
-    found = share(int(hits.sum()), len(hits))
-    bounds = {"low": found.low, "high": found.high}
-    return {"grasps": len(hits), "told": found.estimate, **bounds}
+def _share(
+    hits: NDArray[np.bool_], grasps: Sequence[Grasp], chosen: NDArray[np.bool_]
+) -> dict[str, float]:
+    """How often some of the grasps are told right.
+
+    Args:
+        hits: (g,), whether each is.
+        grasps: all of them.
+        chosen: (g,), those that are counted.
+    """
+    presented = {
+        (grasp.orientation, grasp.presentation)
+        for grasp, counts in zip(grasps, chosen, strict=True)
+        if counts
+    }
+    n, clusters = int(chosen.sum()), len(presented)
+    found = clustered_share(int(hits[chosen].sum()), n, clusters)
+    bounds = {"told": found.estimate, "low": found.low, "high": found.high}
+    return {"grasps": n, "presentations": clusters, **bounds}

@@ -1,4 +1,4 @@
-"""The study of haptic categories."""
+"""What the fingers feel of jars: grasps, their models, and which end these tell."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -9,11 +9,10 @@ import pyarrow as pa
 
 from prospect_mj.checks import check_integer
 from prospect_mj.experiment.development.haptics import ends, live
-from prospect_mj.experiment.development.haptics.effect import Effect, Learn, effect
 from prospect_mj.experiment.development.haptics.grasp import Grasp, table
 from prospect_mj.experiment.development.haptics.recorded import grasps
 from prospect_mj.experiment.development.haptics.settings import HapticSettings
-from prospect_mj.experiment.populations.population import run_population
+from prospect_mj.experiment.populations.population import MOST_JOBS
 from prospect_mj.haptics import ClusterSettings, TrajectoryModels
 from prospect_mj.recording.recording import Recording
 
@@ -23,14 +22,11 @@ RECORDED = "standard, recorded"
 """The jar of the recording, among the jars that are grasped live."""
 MODELS = "haptic_models.json"
 
-_MOST_JOBS = 1024
-
 
 @dataclass(frozen=True)
 class HapticResults:
     """What came out."""
 
-    settings: HapticSettings
     grasps: Mapping[str, Sequence[Grasp]]
     """Of each jar; `RECORDED` is the recording's."""
     models: Mapping[str, TrajectoryModels]
@@ -39,8 +35,6 @@ class HapticResults:
     """Under `ends.TOLD`: how often the end is told right, by what."""
     numbers: pa.Table
     """Under `ends.NUMBERS`: what other numbers of models come to."""
-    effect: Effect
-    """What learners do with the categories."""
 
     @property
     def tables(self) -> dict[str, pa.Table]:
@@ -49,8 +43,6 @@ class HapticResults:
             "haptics_grasps": table(self.grasps[RECORDED]),
             "haptics_told": self.told,
             "haptics_numbers": self.numbers,
-            "haptics_shares": self.effect.shares,
-            "haptics_measures": self.effect.measures,
         }
 
 
@@ -60,18 +52,16 @@ def run(
     settings: HapticSettings | None = None,
     jobs: int = 1,
     tell: Callable[[str], object] = print,
-    learn: Learn | None = None,
 ) -> HapticResults:
-    """Grasp, cluster and learn; live grasps that are kept are read.
+    """Grasp and cluster; live grasps that are kept are read.
 
     Args:
         folder: of the study; live grasps are kept in `haptics` in it, the models of
             the recorded ones beside them.
         recording: with what was felt.
         settings: of the study.
-        jobs: processes, and threads of learners.
+        jobs: processes side by side.
         tell: takes a line for people now and then.
-        learn: lets a population learn, or reads it where it was kept; None: it learns.
 
     Raises:
         RecordingError: if the recording has no grasps, or too few of an end.
@@ -80,7 +70,7 @@ def run(
         ChildProcessError: if a process was killed.
     """
     settings = HapticSettings() if settings is None else settings
-    check_integer("jobs", jobs, 1, _MOST_JOBS)
+    check_integer("jobs", jobs, 1, MOST_JOBS)
     rng = np.random.default_rng(settings.seed)
     felt = {RECORDED: grasps(recording), **_live(folder, settings, jobs, tell)}
     models = {
@@ -89,10 +79,7 @@ def run(
     }
     models[RECORDED].write(folder / FOLDER / MODELS)
     tables = _told(felt, settings, rng), _numbers(felt, settings, rng)
-    size = settings.runs, settings.seed
-    learn = _learning(jobs) if learn is None else learn
-    learned = effect(recording, models[RECORDED], *size, learn, tell)
-    return HapticResults(settings, felt, models, *tables, learned)
+    return HapticResults(felt, models, *tables)
 
 
 def _told(
@@ -125,9 +112,3 @@ def _live(
     """The grasps of each jar; none if no jar is to be grasped."""
     per_side, seed = settings.grasped // 4, settings.seed
     return live.grasps(folder / FOLDER, per_side, seed, jobs, tell)
-
-
-def _learning(jobs: int) -> Learn:
-    return lambda world, scenario, settings: run_population(
-        world, scenario, settings, jobs
-    )

@@ -6,13 +6,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-import pyarrow as pa
-from pyarrow.lib import ArrowException
 
 from prospect_mj import tables
 from prospect_mj.actions.action import ActionOutcome, ActionResult
-from prospect_mj.control.grasp_settings import GraspResult
-from prospect_mj.errors import ForeignTable, RunFolderError
+from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.development.haptics.grasp import (
     CRADLE,
     HAND_OVER,
@@ -26,6 +23,7 @@ from prospect_mj.experiment.development.haptics.settings import JARS
 from prospect_mj.recording.config import RecordingConfig
 from prospect_mj.recording.grower import task_settings
 from prospect_mj.recording.hands import GRASPS, NUMBERS, SWAPS
+from prospect_mj.recording.last_grasp import last_grasp
 from prospect_mj.recording.provenance import (
     installed_versions,
     model_digests,
@@ -103,7 +101,8 @@ def grasps(
             tell(f"{share.jar}, lid {share.orientation}: {len(made)} live grasps")
     found: dict[str, list[Grasp]] = {jar: [] for jar in jars}
     for share in shares:
-        found[share.jar] += of_table(_read(folder / share.file, share.digest))
+        rows = tables.read_kept(folder / share.file, SCHEMA, share.digest)
+        found[share.jar] += of_table(rows)
     return found
 
 
@@ -135,22 +134,4 @@ def _sequence(
     steps = (CRADLE, hand, taken), (HAND_OVER, other(hand), passed)
     for kind, holder, outcome in steps:
         if outcome.result == ActionResult.SUCCESS:
-            yield Grasp(share.orientation, number, holder, kind, _felt(outcome))
-
-
-def _felt(outcome: ActionOutcome) -> np.ndarray:
-    """(m, 2): the trajectory of the last grasp of an action, as recordings have it."""
-    results = [run.result for run in outcome.runs]
-    found = [result for result in results if isinstance(result, GraspResult)]
-    return np.array(found[-1].trajectory, np.float32).reshape(-1, 2)
-
-
-def _read(path: Path, digest: str) -> pa.Table:
-    try:
-        return tables.read(path, SCHEMA, digest, of="study")
-    except ForeignTable as error:
-        raise RunFolderError(str(error)) from error
-    except (OSError, ValueError, ArrowException) as error:
-        raise RunFolderError(
-            f"{path} can't be read: it is damaged; move it away and run again"
-        ) from error
+            yield Grasp(share.orientation, number, holder, kind, last_grasp(outcome))

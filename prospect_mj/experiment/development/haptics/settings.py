@@ -14,11 +14,12 @@ One of 38 mm the eyes take for no lid."""
 
 _LEAST_GRASPED = 8
 """Two presentations of each orientation: one to learn from, one to be tried on."""
+_MOST_GRASPED = 10_000
 
 
 @dataclass(frozen=True)
 class HapticSettings:
-    """What is grasped, clustered and learned."""
+    """What is grasped and clustered."""
 
     clusters: ClusterSettings = field(default_factory=ClusterSettings)
     """Three models: hand-overs of the body feel unlike grasps of it out of the cradle.
@@ -28,17 +29,19 @@ class HapticSettings:
     grasped: int = 24
     """Live grasps of each jar out of the cradle, and as many hand-overs: both hands at
     a quarter as many presentations of each orientation. 0: no jar is grasped live."""
-    runs: int = 1000
-    """Of every learner."""
     seed: int = 0
-    """Of presentations, clustering, learners and resamples."""
+    """Of presentations and clustering."""
 
     def __post_init__(self) -> None:
         """Refuse sizes of no study."""
         check_integer("numbers of models", self.most_models, 1, 20)
-        check_integer("live grasps", self.grasped, 0, 10_000)
-        if self.grasped % 4 or 0 < self.grasped < _LEAST_GRASPED:
-            expected = f"0, or a multiple of 4 from {_LEAST_GRASPED}"
-            raise InvalidValue("live grasps", self.grasped, expected)
-        check_integer("runs", self.runs, 2, 100_000)
+        check_grasped(self.grasped)
         check_integer("seed", self.seed, 0, LARGEST_SEED)
+
+
+def check_grasped(number: int) -> None:
+    """Refuse numbers of live grasps that can't be made, or tell nothing."""
+    check_integer("grasped", number, 0, _MOST_GRASPED)
+    if number % 4 or 0 < number < _LEAST_GRASPED:
+        expected = f"0, or a multiple of 4 from {_LEAST_GRASPED}"
+        raise InvalidValue("grasped", number, expected)

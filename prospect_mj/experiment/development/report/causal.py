@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import product
 
+from prospect_mj.experiment.development.claims.criteria import develops
 from prospect_mj.experiment.development.measures.measures import (
     dominance,
     early_gone,
@@ -15,7 +16,6 @@ from prospect_mj.experiment.development.measures.measures import (
 )
 from prospect_mj.experiment.development.report.cells import order
 from prospect_mj.experiment.development.report.command import command
-from prospect_mj.experiment.development.report.needs import like_infants
 from prospect_mj.experiment.development.study.causal import (
     CACHES,
     LABELS,
@@ -116,7 +116,7 @@ def _one_by_one(rows: Iterable[Measured]) -> str:
 def _cells(one: Measured) -> tuple[str, ...]:
     splits = (with_interval(one.measured[n], Kind.TRIAL) for n in (INSERTION, GRASP))
     numbers = (with_interval(one.measured[m.name], m.kind) for m in _MEASURES)
-    return one.row.name, *splits, *numbers, order(one.order), like_infants(one)
+    return one.row.name, *splits, *numbers, order(one.order), develops(one)
 
 
 def _crossed(
@@ -139,4 +139,4 @@ def _brief(one: Measured) -> str:
         for measure in (late_gone, early_gone, early_lead)
     )
     words = f"{late}, {early}; {order(one.order)}; {lead}"
-    return f"**{words}**" if like_infants(one) is Verdict.HOLDS else words
+    return f"**{words}**" if develops(one) is Verdict.HOLDS else words

@@ -4,9 +4,8 @@ from collections.abc import Mapping
 
 from prospect_mj.experiment.development.claims.claims import Claim
 from prospect_mj.experiment.development.claims.criteria import (
-    LIKE_INFANTS,
     Figures,
-    all_of,
+    develops,
 )
 from prospect_mj.experiment.development.study.causal import forced_name
 from prospect_mj.experiment.paper.measures.target import Verdict
@@ -22,11 +21,6 @@ _WITHOUT = (
 """One of the two is missing."""
 
 
-def like_infants(one: Figures) -> Verdict:
-    """Whether a row develops as infants do, by the criteria of the learners."""
-    return all_of([criterion.judge(one).verdict for criterion in LIKE_INFANTS])
-
-
 def needs(rows: Mapping[str, Figures]) -> Claim:
     """Whether it takes the order of the splits, and re-estimated values.
 
@@ -34,7 +28,7 @@ def needs(rows: Mapping[str, Figures]) -> Claim:
         rows: of the causal part, by name.
     """
     names = {kind: forced_name(*kind, _RATE) for kind in (_WITH, *_WITHOUT)}
-    said = {kind: like_infants(rows[name]) for kind, name in names.items()}
+    said = {kind: develops(rows[name]) for kind, name in names.items()}
     words = "; ".join(f"{', '.join(kind)}: {said[kind]}" for kind in said)
     return Claim(
         "When contexts are split by force, development as in infants takes both: "

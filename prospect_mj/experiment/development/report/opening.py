@@ -6,6 +6,7 @@ from prospect_mj.experiment.development.claims.claims import (
     AS_PAPER,
     CONJECTURED,
     PREDICTION,
+    RESTS_ON,
     Claim,
     Row,
     between_learners,
@@ -13,7 +14,10 @@ from prospect_mj.experiment.development.claims.claims import (
     developing,
 )
 from prospect_mj.experiment.development.claims.findings import Findings
-from prospect_mj.experiment.development.measures.measures import MEASURES
+from prospect_mj.experiment.development.measures.measures import (
+    MEASURES,
+    other_first,
+)
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.report.needs import needs
 from prospect_mj.experiment.development.study.measured import Told
@@ -46,7 +50,7 @@ def opening(results: Results) -> Iterator[str]:
         yield answer(rows)
     spread = {one.row.name: one.findings for one in results.population}
     if CONJECTURED.learner in spread:
-        found.append(between_learners(spread[CONJECTURED.learner]))
+        found.append(between_learners(spread))
     yield "## Claims"
     for verdict, title in (
         (Verdict.HOLDS, "What holds"),
@@ -56,7 +60,7 @@ def opening(results: Results) -> Iterator[str]:
         yield from _claims(title, [one for one in found if one.verdict is verdict])
     yield command(results, "learners", "causal", "population")
     yield "## A prediction"
-    yield _prediction(found)
+    yield _prediction(found, spread)
 
 
 def by_row(learners: list[Told]) -> dict[Row, Findings]:
@@ -113,11 +117,10 @@ def _paper(rows: Rows) -> str:
         return ""
     (claim,) = claims({AS_PAPER: rows[AS_PAPER]})[:1]
     shows = {
-        Verdict.HOLDS: "shows both mismatches with infants that the paper admits",
-        Verdict.FAILS: "does not show both mismatches with infants that the paper "
-        "admits",
+        Verdict.HOLDS: "is unlike infants in both ways that the paper admits",
+        Verdict.FAILS: "is not unlike infants in both ways that the paper admits",
     }
-    words = shows.get(claim.verdict, "may or may not show the paper's two mismatches")
+    words = shows.get(claim.verdict, "may or may not be unlike infants as it admits")
     return f"The paper's own learner, free to repeat a failed action, {words}."
 
 
@@ -146,9 +149,25 @@ def _claims(title: str, found: list[Claim]) -> Iterator[str]:
         )
 
 
-def _prediction(found: list[Claim]) -> str:
+def _prediction(found: list[Claim], spread: Mapping[str, Findings]) -> str:
     """It is worth something only as far as the claims hold that it comes from."""
-    about = ("phase of late", "abruptly", "not within a learner")
-    come = [one for one in found if any(words in one.words for words in about)]
+    come = [one for one in found if one.name in RESTS_ON]
     rests = "; ".join(f"*{one.words}* ({one.verdict})" for one in come)
-    return f"{PREDICTION}\n\nIt rests on these claims: {rests}"
+    said = PREDICTION, f"It rests on these claims: {rests}", _apart(spread)
+    return "\n\n".join(words for words in said if words)
+
+
+def _apart(spread: Mapping[str, Findings]) -> str:
+    """What tells populations apart that may keep to the prediction alike."""
+    first = {
+        name: with_interval(one.measured[other_first.name], other_first.kind)
+        for name, one in spread.items()
+    }
+    if set(first) <= {CONJECTURED.learner}:
+        return ""
+    told = "; ".join(f"*{name}*, {words}" for name, words in first.items())
+    return (
+        "It does not tell discovery from replay, as far as the last of these claims "
+        "holds for both. What comes before the corrections may: neither optimal nor "
+        f"corrected are, of the difficult ones of the first fifty trials, {told}."
+    )

@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from prospect_mj.experiment.development.haptics.section import section as haptics
 from prospect_mj.experiment.development.report.abstract import abstract
 from prospect_mj.experiment.development.report.causal import causal
 from prospect_mj.experiment.development.report.command import command
@@ -13,9 +12,10 @@ from prospect_mj.experiment.development.report.elsewhere import (
     spread,
     worlds,
 )
+from prospect_mj.experiment.development.report.haptics import haptics
 from prospect_mj.experiment.development.report.learners import learners
 from prospect_mj.experiment.development.report.opening import opening
-from prospect_mj.experiment.development.rivals.section import section as rivals
+from prospect_mj.experiment.development.report.rivals import rivals
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.experiment.paper.measures.bootstrap import LEVEL, RESAMPLES
 from prospect_mj.experiment.paper.report.markdown import table
@@ -44,7 +44,7 @@ def report(made: Made) -> str:
         "worlds": worlds,
         "change": change,
         "found": found,
-        "haptics": _haptics,
+        "haptics": haptics,
         "rivals": _rivals,
     }
     parts: list[Iterable[str]] = [_title(results), opening(results)]
@@ -65,13 +65,8 @@ def _title(results: Results) -> Iterator[str]:
         )
 
 
-def _haptics(results: Results) -> Iterator[str]:
-    yield haptics(results.haptics).rstrip()
-    yield command(results, "haptics")
-
-
 def _rivals(results: Results) -> Iterator[str]:
-    yield rivals(results.rivals).rstrip()
+    yield from rivals(results.rivals)
     yield command(results, "rivals")
 
 
@@ -79,11 +74,11 @@ def _how(made: Made) -> Iterator[str]:
     results, settings = made.results, made.results.settings
     yield "## How it was made"
     yield (
-        f"Learners and populations: {settings.runs} runs; causal tables, worlds and "
-        f"changes: {settings.fewer_runs} runs a row, whose intervals tell whether that "
-        "is enough. Equal seeds in all rows: run k sees the same in all of them. In "
-        f"brackets: {100 * LEVEL:.0f} % intervals, percentiles of {RESAMPLES} "
-        "resamples of the runs."
+        f"Learners and populations: {settings.runs} runs; causal tables, worlds, "
+        f"changes and haptics: {settings.fewer_runs} runs a row, whose intervals tell "
+        "whether that is enough. Equal seeds in all rows: run k sees the same in all "
+        f"of them. In brackets: {100 * LEVEL:.0f} % intervals, percentiles of "
+        f"{RESAMPLES} resamples of the runs."
     )
     yield table(
         ("world", "key of the recording", "seed"),

@@ -1,9 +1,8 @@
 """The comparison of the paper's learner with its rivals on the same task."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from time import process_time
 
 import numpy as np
 import pyarrow as pa
@@ -15,23 +14,27 @@ from prospect_mj.experiment.development.rivals.deep.agents import (
     check_installed,
 )
 from prospect_mj.experiment.development.rivals.deep.runs import DeepStore
+from prospect_mj.experiment.development.rivals.kept import FOLDER
 from prospect_mj.experiment.development.rivals.learning import Runs
 from prospect_mj.experiment.development.rivals.planner import model_errors, prices
+from prospect_mj.experiment.development.rivals.planner.live import LiveSearches
 from prospect_mj.experiment.development.rivals.settings import (
     DEEP,
     MASKED,
     RivalSettings,
 )
 from prospect_mj.experiment.populations.digests import recording_digest
-from prospect_mj.experiment.populations.population import run_population
+from prospect_mj.experiment.populations.population import MOST_JOBS
 from prospect_mj.experiment.populations.scenario import PopulationSettings, Scenario
+from prospect_mj.experiment.populations.store import Kept, Store
 from prospect_mj.recording.recording import Recording
 
 MAX_ACTIONS = PopulationSettings.max_actions
-FOLDER = "rivals"
-"""Of the deep learners' runs, in that of the study."""
+POPULATIONS = "populations"
+"""Of linear learners, in the folder of a comparison on its own."""
 
-_MOST_JOBS = 1024
+Learn = Callable[[Scenario, PopulationSettings], Kept]
+"""Lets a population learn in the world of the comparison, or reads it."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +51,7 @@ class RivalResults:
     errors: pa.Table
     """Under `planner.model_errors.ERRORS`: backward chaining with wrong beliefs."""
     live_errors: pa.Table
-    """Under `planner.model_errors.LIVE`: search in slightly wrong physics."""
+    """Under `planner.wrong_physics.WRONG`: search in slightly wrong physics."""
 
     @property
     def tables(self) -> dict[str, pa.Table]:
@@ -64,91 +67,85 @@ class RivalResults:
 
 def run(
     folder: Path,
+    recording: Recording,
     settings: RivalSettings | None = None,
-    recording: Path | None = None,
+    path: Path | None = None,
     jobs: int = 1,
-    tell: Callable[[str], None] = print,
+    tell: Callable[[str], object] = print,
+    learn: Learn | None = None,
 ) -> RivalResults:
-    """Compare; runs of deep learners that are in the folder already are read.
+    """Compare; what took time and is kept in the folder is read.
 
     Args:
-        folder: of the study; deep learners' runs are kept in `rivals` in it.
+        folder: of the study; runs of deep learners and searches in live physics are
+            kept in `rivals` in it.
+        recording: the outcomes.
         settings: what is compared.
-        recording: folder of the recording; None is the one that comes with the package.
-        jobs: processes of deep learners side by side, and threads of the others.
+        path: folder of the recording, for the processes of deep learners; None is the
+            one that comes with the package.
+        jobs: processes of deep learners, and threads of the others.
         tell: takes a line for people now and then.
+        learn: of linear learners; None keeps them in `populations` of the folder.
 
     Raises:
-        MissingPackage: if a deep learner is wanted and its library is not installed.
-        RecordingError: if the recording can't be had.
+        MissingPackage: if a deep learner's library is not installed.
         RenderingUnavailable: if live physics is to be searched without OpenGL.
-        RunFolderError: if a kept run is damaged.
+        RunFolderError: if something that was kept is damaged.
         ChildProcessError: if a process of a deep learner was killed.
     """
     settings = RivalSettings() if settings is None else settings
-    check_integer("jobs", jobs, 1, _MOST_JOBS)
+    check_integer("jobs", jobs, 1, MOST_JOBS)
     if settings.deep:
         check_installed()
-    outcomes = Recording.load(recording)
-    priced = prices.prices(outcomes, settings, MAX_ACTIONS)
-    believed = model_errors.believed(outcomes, settings, MAX_ACTIONS)
-    tell("planner: searching physics that is slightly wrong")
-    searched = model_errors.searched(outcomes, settings, MAX_ACTIONS)
-    learners = _learners(folder, settings, recording, outcomes, jobs, tell)
-    how = learners, settings.deep_runs, settings.seed
-    learned = learning.learning(*how), learning.curves(*how)
-    return RivalResults(settings, *learned, priced, believed, searched)
+    live = LiveSearches(folder / FOLDER, recording, settings, MAX_ACTIONS, tell)
+    priced = prices.prices(recording, settings, MAX_ACTIONS, live.prices())
+    believed = model_errors.believed(recording, settings, MAX_ACTIONS)
+    learn = Store(folder / POPULATIONS, recording, jobs).get if learn is None else learn
+    runs = {agent: _linear(agent, settings, learn) for agent in settings.linear}
+    runs |= _deep(folder, recording, settings, path, jobs, tell)
+    learned = _learned(runs, settings)
+    return RivalResults(settings, *learned, priced, believed, live.wrong())
 
 
-def _learners(
-    folder: Path,
-    settings: RivalSettings,
-    path: Path | None,
-    recording: Recording,
-    jobs: int,
-    tell: Callable[[str], None],
-) -> dict[str, Runs]:
-    """What every learner did, by name, in the order of the settings."""
-    deep = _deep(folder, settings, path, recording, jobs, tell)
-    return {
-        agent: deep[agent]
-        if agent in DEEP
-        else _linear(agent, settings, recording, jobs)
-        for agent in settings.agents
-    }
+def _learned(
+    runs: Mapping[str, Runs], settings: RivalSettings
+) -> tuple[pa.Table, pa.Table]:
+    """Measures and curves of all learners, in the order of the settings."""
+    learners = {agent: runs[agent] for agent in settings.agents}
+    size = settings.deep_runs, settings.seed
+    return learning.learning(learners, *size), learning.curves(learners, *size)
 
 
-def _linear(
-    agent: str, settings: RivalSettings, recording: Recording, jobs: int
-) -> Runs:
-    mode = "productive" if agent in MASKED else "none"
+def _linear(agent: str, settings: RivalSettings, learn: Learn) -> Runs:
     learners = PopulationSettings(
-        runs=settings.linear_runs, seed=settings.seed, supervisor=mode
+        runs=settings.linear_runs,
+        seed=settings.seed,
+        supervisor="productive" if agent in MASKED else "none",
     )
-    scenario, began = Scenario(settings.deep_trials), process_time()
-    learned = run_population(recording, scenario, learners, jobs)
-    seconds = (process_time() - began) / settings.linear_runs
-    return Runs(learned.n_actions, seconds)
+    kept = learn(Scenario(settings.deep_trials), learners)
+    # Of all threads together; none of them has had more of a processor.
+    seconds = kept.seconds * kept.jobs / settings.linear_runs
+    return Runs(kept.population.n_actions, seconds)
 
 
 def _deep(
     folder: Path,
+    recording: Recording,
     settings: RivalSettings,
     path: Path | None,
-    recording: Recording,
     jobs: int,
-    tell: Callable[[str], None],
+    tell: Callable[[str], object],
 ) -> dict[str, Runs]:
+    """What each deep learner did."""
     if not settings.deep:
         return {}
     store = DeepStore(folder / FOLDER, recording_digest(recording))
-    runs = deep_runs(settings, path)
-    learned = iter(store.get(runs, jobs, tell))
-    done: dict[str, Runs] = {}
+    learned = iter(store.get(deep_runs(settings, path), jobs, tell))
+    done = {}
     for agent in settings.deep:
-        of_agent = [next(learned) for _ in range(settings.deep_runs)]
-        seconds = float(np.mean([one.seconds for one in of_agent]))
-        done[agent] = Runs(np.stack([one.n_actions for one in of_agent]), seconds)
+        own = [next(learned) for _ in range(settings.deep_runs)]
+        n_actions = np.stack([one.n_actions for one in own])
+        done[agent] = Runs(n_actions, float(np.mean([one.seconds for one in own])))
     return done
 
 

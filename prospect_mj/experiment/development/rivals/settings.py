@@ -28,7 +28,8 @@ class RivalSettings:
     linear_runs: int = 1000
     """Runs of each linear learner."""
     deep_runs: int = 10
-    """Runs of each deep learner, and in a resample of the linear ones."""
+    """Runs of each deep learner, and of the groups that the linear ones are measured
+    in."""
     deep_trials: int = 1500
     """Trials of a run, of whatever learner; both orientations from the first on."""
     seed: int = 0
@@ -39,7 +40,7 @@ class RivalSettings:
     """Probability with which the planner takes the lid to be on the other side [1]."""
     live_presentations: int = 2
     """Presentations of each orientation in which live physics is searched; 0: none."""
-    live_errors: tuple[int, ...] = (-5, -4, -3, 6)
+    live_errors: tuple[int, ...] = (-5, -4, 4, 5)
     """By how much the receptacle of the searched physics is wider than that of the
     world [mm], with one presentation of each orientation."""
     depth: int = 4
@@ -66,3 +67,8 @@ class RivalSettings:
     def deep(self) -> tuple[str, ...]:
         """The deep learners among the agents."""
         return tuple(agent for agent in self.agents if agent in DEEP)
+
+    @property
+    def linear(self) -> tuple[str, ...]:
+        """The others."""
+        return tuple(agent for agent in self.agents if agent not in DEEP)

@@ -7,8 +7,9 @@ from prospect_mj.experiment.development.study.recordings import Recordings
 from prospect_mj.experiment.development.study.rows import Row
 from prospect_mj.experiment.populations.population import Population
 from prospect_mj.experiment.populations.scenario import PopulationSettings, Scenario
-from prospect_mj.experiment.populations.store import Store
+from prospect_mj.experiment.populations.store import Kept, Store
 from prospect_mj.experiment.populations.world import World
+from prospect_mj.recording.worlds import STANDARD
 
 FOLDER = "populations"
 """Of what the learners did, in that of the study."""
@@ -48,10 +49,17 @@ class Laboratory:
         self._others: list[Store] = []
         self.learning_seconds = 0.0
 
-    def learned(self, row: Row) -> Population:
-        """The population of a row."""
+    def learned(self, row: Row, world: World | None = None) -> Population:
+        """The population of a row.
+
+        Args:
+            row: it.
+            world: what it begins in, with the categories that its learners are told;
+                None: the recording of the row's world, without any.
+        """
         then = None if row.then is None else self.recordings.by_world[row.then]
-        kept = self._stores[row.world].get(row.scenario, row.settings, then)
+        store = self._stores[row.world] if world is None else self._open(world)
+        kept = store.get(row.scenario, row.settings, then)
         self.learning_seconds += kept.seconds
         runs = len(kept.population.lid)
         when = ", kept" if kept.earlier else ""
@@ -59,21 +67,20 @@ class Laboratory:
         self._tell(words)
         return kept.population
 
-    def learned_in(
-        self, world: World, scenario: Scenario, settings: PopulationSettings
-    ) -> Population:
-        """A population in a world of its own, such as one with categories of grasps.
-
-        Whoever asks for it tells of it.
-        """
-        store = Store(self._folder, world, self._jobs)
-        self._others.append(store)
-        kept = store.get(scenario, settings)
+    def rival(self, scenario: Scenario, settings: PopulationSettings) -> Kept:
+        """A population of the standard world that is no row, and how long it took."""
+        kept = self._stores[STANDARD].get(scenario, settings)
         self.learning_seconds += kept.seconds
-        return kept.population
+        return kept
 
     def unused(self) -> list[Path]:
         """Kept populations that nothing has asked for."""
         stores = (*self._stores.values(), *self._others)
         unused = [set(store.unused()) for store in stores]
         return sorted(set.intersection(*unused))
+
+    def _open(self, world: World) -> Store:
+        """The folder of populations, for those that begin in another world."""
+        store = Store(self._folder, world, self._jobs)
+        self._others.append(store)
+        return store

@@ -23,6 +23,7 @@ _NAMES = {
     "rule": pa.string(),
     "world": pa.string(),
     "then": pa.string(),
+    "touch": pa.string(),
 }
 MEASURED = pa.schema(
     {
@@ -177,6 +178,7 @@ def _names(row: Row) -> dict[str, str | None]:
         "rule": row.rule,
         "world": row.world,
         "then": row.then,
+        "touch": row.touch,
     }
 
 

@@ -21,6 +21,8 @@ class Recordings:
 
     by_world: Mapping[str, Recording]
     """The standard one is among them."""
+    path: Path | None = None
+    """Folder of the standard one; None: that comes with the package."""
 
     @classmethod
     def load(
@@ -40,9 +42,8 @@ class Recordings:
                 or lacks what its world is there for.
         """
         given = {STANDARD: standard} if standard is not None else {}
-        return cls(
-            {world: _read(world, given.get(world), folder) for world in worlds}
-        ).checked()
+        read = {world: _read(world, given.get(world), folder) for world in worlds}
+        return cls(read, standard).checked()
 
     def checked(self) -> Self:
         """The same, if every recording is fit for the study.

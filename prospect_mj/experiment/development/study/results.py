@@ -42,6 +42,8 @@ class Results:
     """After the change."""
     found: Found | None = None
     haptics: HapticResults | None = None
+    touches: list[Shown] = field(default_factory=list)
+    """Learners that are told more or less of a grasp."""
     rivals: RivalResults | None = None
     seconds: Mapping[str, float] = field(default_factory=dict)
     """Wall time of each part in this command [s]."""

@@ -5,6 +5,8 @@ from typing import Literal
 
 from prospect_mj.agent import AnyLearnerSettings
 from prospect_mj.agent.failed_actions import FailedActions
+from prospect_mj.agent.learners import with_categories
+from prospect_mj.experiment.development.haptics.touch import BITS, Touch
 from prospect_mj.experiment.development.study.settings import (
     DOMINANT,
     Part,
@@ -32,6 +34,8 @@ class Row:
     """In which learning begins."""
     then: str | None = None
     """The world that the scenario's last trials are in, if it has such."""
+    touch: Touch = BITS
+    """What the learner is told of a grasp."""
 
     @property
     def rule(self) -> FailedActions:
@@ -43,7 +47,8 @@ class Row:
         """Its name among all rows of the study."""
         where = "" if self.world == STANDARD else f", {self.world}"
         change = "" if self.then is None else f", then {self.then}"
-        return f"{self.name}, {self.rule}{where}{change}"
+        touch = "" if self.touch == BITS else f", told the {self.touch}"
+        return f"{self.name}, {self.rule}{where}{change}{touch}"
 
 
 def population(
@@ -51,6 +56,7 @@ def population(
     learner: AnyLearnerSettings,
     rule: FailedActions = "suppressed",
     size: Size = "fewer_runs",
+    categories: int = 0,
 ) -> PopulationSettings:
     """The settings of a row's population: seeds are the same in all rows.
 
@@ -59,10 +65,12 @@ def population(
         learner: of all runs.
         rule: for failed actions.
         size: which of the study's numbers of runs.
+        categories: of grasps that the learner is told.
     """
     return PopulationSettings(
         runs=getattr(study, size),
         seed=study.seed,
-        learner=learner,
+        learner=with_categories(learner, categories),
         failed_actions=rule,
+        categories=categories,
     )

@@ -7,6 +7,7 @@ import numpy as np
 
 from prospect_mj.checks import check_choice, check_integer
 from prospect_mj.errors import InvalidValue
+from prospect_mj.experiment.development.haptics.settings import check_grasped
 from prospect_mj.experiment.populations.scenario import Scenario
 from prospect_mj.recording.config import LARGEST_SEED
 from prospect_mj.recording.worlds import STANDARD
@@ -32,8 +33,7 @@ CHANGES = ("post", "lamp-right")
 """Those that the standard world changes into after learning."""
 
 _MOST_RUNS = 10_000
-_MOST_DEEP, _MOST_TRIALS, _MOST_GRASPED, _MOST_PLANNED = 1000, 100_000, 10_000, 50
-_LEAST_GRASPED = 8
+_MOST_DEEP, _MOST_TRIALS, _MOST_PLANNED = 1000, 100_000, 50
 _FEW = 5
 
 
@@ -44,8 +44,8 @@ class StudySettings:
     runs: int = 1000
     """Learners in each row of the parts learners and population."""
     setting_runs: int | None = None
-    """Learners in each row of the parts causal, worlds and change. Default: two fifths
-    of the others, two at least."""
+    """Learners in each row of the parts causal, worlds, change and haptics. Default:
+    two fifths of the others, two at least."""
     seed: int = 0
     """Equal seeds give equal tables, wall times aside."""
     deep_runs: int = 10
@@ -66,10 +66,7 @@ class StudySettings:
         check_integer("seed", self.seed, 0, LARGEST_SEED)
         check_integer("deep_runs", self.deep_runs, 2, _MOST_DEEP)
         check_integer("deep_trials", self.deep_trials, 50, _MOST_TRIALS)
-        check_integer("grasped", self.grasped, 0, _MOST_GRASPED)
-        if self.grasped % 4 or 0 < self.grasped < _LEAST_GRASPED:
-            expected = f"0, or a multiple of 4 from {_LEAST_GRASPED}"
-            raise InvalidValue("grasped", self.grasped, expected)
+        check_grasped(self.grasped)
         check_integer("planned", self.planned, 0, _MOST_PLANNED)
         if self.planned % 2:
             raise InvalidValue("planned", self.planned, "an even number")

@@ -5,10 +5,12 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from prospect_mj.agent.haptics import categories_of, holding_of
 from prospect_mj.experiment.paper.measures.bootstrap import (
     RESAMPLES,
     Interval,
     interval,
+    median,
 )
 from prospect_mj.experiment.populations.population import Population
 from prospect_mj.recording.hands import GRASPS, INSERTIONS, NONE, NUMBERS
@@ -29,7 +31,10 @@ class Splits(NamedTuple):
 
     @classmethod
     def of(cls, population: Population, rng: np.random.Generator) -> Self:
-        """Of a population of discovery learners without categories of grasps.
+        """Of a population of discovery learners.
+
+        With categories of grasps the insertion has a context for each: the first split
+        of any of them counts.
 
         Args:
             population: with a dominant hand.
@@ -37,21 +42,19 @@ class Splits(NamedTuple):
         """
         scenario = population.scenario
         hand = NUMBERS[scenario.dominant]
-        contexts = (hand, INSERTIONS[hand]), (NONE, GRASPS[hand])
-        trials = [_after(population, *context) for context in contexts]
+        actions = {hand: INSERTIONS[hand], NONE: GRASPS[hand]}
+        trials = [_after(population, *context) for context in actions.items()]
         runs = len(population.lid)
         drawn = rng.integers(runs, size=(RESAMPLES, runs))
-        return cls(*(_median(one, drawn) for one in trials))
+        medians = (interval(float(median(one)), median(one[drawn])) for one in trials)
+        return cls(*medians)
 
 
-def _after(population: Population, haptic: int, action: int) -> NDArray[np.float64]:
-    """Trials (runs,) of a context's first split; infinite where it has none."""
-    split = population.splits[:, haptic, action].astype(np.float64)
-    return np.where(split == NEVER, np.inf, split - population.scenario.pretrain)
-
-
-def _median(trials: NDArray[np.float64], drawn: NDArray[np.intp]) -> Interval:
-    """The lower median, which is a trial of a run even where others have none."""
-    middle = (len(trials) - 1) // 2
-    many = np.partition(trials[drawn], middle, axis=1)[:, middle]
-    return interval(float(np.sort(trials)[middle]), many)
+def _after(population: Population, holding: int, action: int) -> NDArray[np.float64]:
+    """Trials (runs,) of an action's first split; infinite where it has none."""
+    states = range(population.splits.shape[1])
+    categories = categories_of(len(states))
+    of_hand = [state for state in states if holding_of(state, categories) == holding]
+    split = population.splits[:, of_hand, action].astype(np.float64)
+    after = np.where(split == NEVER, np.inf, split - population.scenario.pretrain)
+    return after.min(axis=1)

@@ -5,7 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 from time import perf_counter
 
-from prospect_mj.experiment.development.haptics import haptics
+from prospect_mj.experiment.development.haptics import haptics, touch
 from prospect_mj.experiment.development.haptics.settings import HapticSettings
 from prospect_mj.experiment.development.rivals import rivals
 from prospect_mj.experiment.development.rivals.settings import RivalSettings
@@ -13,6 +13,7 @@ from prospect_mj.experiment.development.study import (
     after,
     causal,
     found,
+    haptic_rows,
     learners,
     looks,
     measured,
@@ -31,6 +32,7 @@ from prospect_mj.experiment.development.study.settings import (
     StudySettings,
 )
 from prospect_mj.experiment.paper.measures.measure import Measure
+from prospect_mj.experiment.populations.world import World
 
 
 class Study:
@@ -41,8 +43,6 @@ class Study:
         settings: its size.
         extent: which parts are made.
         recordings: of the worlds that these need.
-        recording: folder of the standard world's recording; None is the one that comes
-            with the package.
         jobs: threads, and processes of what needs them.
         tell: takes a line for people now and then.
     """
@@ -53,14 +53,12 @@ class Study:
         settings: StudySettings,
         extent: Extent,
         recordings: Recordings,
-        recording: Path | None,
         jobs: int,
         tell: Tell,
     ) -> None:
         """Open the folder of populations."""
         self._folder, self._settings, self._extent = folder, settings, extent
-        self._recordings, self._path = recordings, recording
-        self._jobs, self._tell = jobs, tell
+        self._recordings, self._jobs, self._tell = recordings, jobs, tell
         self._laboratory = Laboratory(folder, recordings, jobs, tell)
         self._results = Results(settings, extent)
 
@@ -126,10 +124,14 @@ class Study:
         ]
 
     def _shown(
-        self, row: Row, number: int, measures: tuple[Measure, ...] | None = None
+        self,
+        row: Row,
+        number: int,
+        measures: tuple[Measure, ...] | None = None,
+        world: World | None = None,
     ) -> Shown:
         """A row's numbers and curves; with measures those after the change."""
-        learned = self._laboratory.learned(row)
+        learned = self._laboratory.learned(row, world)
         rng = self._settings.rng(PARTS.index(row.part), number)
         if measures is None:
             return measured.measured(row, learned, rng)
@@ -141,17 +143,16 @@ class Study:
 
     def _haptics(self) -> None:
         size = self._settings
-        settings = HapticSettings(
-            grasped=size.grasped, runs=size.fewer_runs, seed=size.seed
-        )
-        self._results.haptics = haptics.run(
-            self._folder,
-            self._recordings.standard,
-            settings,
-            self._jobs,
-            self._tell,
-            self._laboratory.learned_in,
-        )
+        settings = HapticSettings(grasped=size.grasped, seed=size.seed)
+        recording, at = self._recordings.standard, self._folder
+        found = haptics.run(at, recording, settings, self._jobs, self._tell)
+        worlds = touch.worlds(recording, found.models[haptics.RECORDED])
+        numbers = {told: world.categories for told, world in worlds.items()}
+        self._results.haptics = found
+        self._results.touches = [
+            self._shown(row, number, world=worlds[row.touch])
+            for number, row in enumerate(haptic_rows.rows(size, numbers))
+        ]
 
     def _rivals(self) -> None:
         size = self._settings
@@ -165,5 +166,11 @@ class Study:
         if not size.planned:
             settings = replace(settings, live_errors=())
         self._results.rivals = rivals.run(
-            self._folder, settings, self._path, self._jobs, self._tell
+            self._folder,
+            self._recordings.standard,
+            settings,
+            self._recordings.path,
+            self._jobs,
+            self._tell,
+            self._laboratory.rival,
         )

@@ -21,7 +21,8 @@ LOOKS, FOUND = "looks", "found"
 def tables(results: Results) -> dict[str, pa.Table]:
     """Those of the parts that were made."""
     made = {}
-    curves = [*results.learners, *results.population, *results.worlds, *results.change]
+    curves = [*results.learners, *results.population]
+    curves += [*results.worlds, *results.change, *results.touches]
     if measured := [*_measured(curves), *results.causal]:
         made[MEASURED] = measured_table(measured)
     if curves:

@@ -55,3 +55,8 @@ def band(resampled: Floats) -> Floats:
     """Pointwise bounds (2, ...) of curves resampled along their first axis (b, ...)."""
     tail = (1 - LEVEL) / 2
     return np.quantile(resampled, [tail, 1 - tail], axis=0, method="inverted_cdf")
+
+
+def median(values: Floats) -> Floats:
+    """The lower median over the last axis, a data point as the percentiles are."""
+    return np.quantile(values, 0.5, axis=-1, method="inverted_cdf")

@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from prospect_mj.agent import haptics
 from prospect_mj.agent.features import N_BINS, N_FEATURES
+from prospect_mj.agent.haptics import haptic_bits
 from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.populations.kernels.sums import Order, order_of, spans_of
 
@@ -36,17 +36,6 @@ def sight(n_features: int) -> Sight:
     order = order_of(n_features)
     features = [_with_a_picture(row) for row in bits]
     return Sight(bits, order, spans_of(np.stack(features), order))
-
-
-def haptic_bits(categories: int) -> NDArray[np.bool_]:
-    """(h, 2 + K): the bits of every haptic state, those of the hands first."""
-    n_states = haptics.n_haptic(categories)
-    bits = np.zeros((n_states, 2 + categories), np.bool_)
-    for state in range(1, n_states):
-        bits[state, haptics.holding_of(state, categories) - haptics.LEFT] = True
-        if categories:
-            bits[state, 2 + (state - 1) % categories] = True
-    return bits
 
 
 def _with_a_picture(bits: NDArray[np.bool_]) -> NDArray[np.bool_]:

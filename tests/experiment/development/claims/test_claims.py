@@ -15,11 +15,12 @@ from prospect_mj.experiment.development.claims.claims import (
 )
 from prospect_mj.experiment.development.claims.criteria import LIKE_INFANTS, by_share
 from prospect_mj.experiment.development.claims.findings import Findings
-from prospect_mj.experiment.development.claims.single_runs import SINGLE_RUNS
+from prospect_mj.experiment.development.claims.single_runs import ABRUPTLY
 from prospect_mj.experiment.paper.measures.target import Verdict
 
 INFANT = [[L] * 5] * 5 + [[E] * 5] * 6 + [[B] * 5] * 20
 AT_ONCE = [[B] * 5] * 31
+TIME_OUTS = [[X, X, X, X, L]] * 6 + [[E] * 5] * 6 + [[B] * 5] * 19
 EARLY_FIRST = [[E] * 5] * 6 + [[L] * 5] * 6 + [[B] * 5] * 19
 
 
@@ -49,6 +50,7 @@ def test_a_population_like_infants_meets_all_criteria():
 @pytest.mark.parametrize(
     ("runs", "easy", "failing"),
     [
+        (TIME_OUTS, None, "late corrections prevail"),
         (EARLY_FIRST, None, "late gone first"),
         (AT_ONCE, None, "corrections dominate"),
         ([[L] * 5] * 8 + [[B] * 5] * 23, None, "early corrections lead"),
@@ -102,9 +104,16 @@ def test_single_learners_go_the_same_way_or_the_opposite_one():
 
 def test_learners_that_differ_are_mixed_in_their_mean_alone():
     runs = [[[L] * 5] * n + [[E] * 5] * 6 + [[B] * 5] * (25 - n) for n in range(2, 12)]
-    assert between_learners(findings(*runs)).verdict is Verdict.HOLDS
-    assert between_learners(findings(MIXED)).verdict is Verdict.FAILS
-    assert between_learners(findings(INFANT)).verdict is Verdict.FAILS
+    differing, mixed, alike = findings(*runs), findings(MIXED), findings(INFANT)
+    for found, expected in (
+        (differing, Verdict.HOLDS),
+        (mixed, Verdict.FAILS),
+        (alike, Verdict.FAILS),
+    ):
+        assert between_learners({"discovery": found}).verdict is expected
+    claim = between_learners({"discovery": mixed, "replay": differing})
+    assert claim.verdict is Verdict.FAILS
+    assert claim.evidence.endswith("it also holds for: replay")
 
 
 def test_a_phase_of_late_ones_alone_must_come_first():
@@ -125,15 +134,15 @@ def test_single_runs_of_all_learners_are_asked_the_same():
     rows[unlike] = findings(MIXED)
     (claim,) = (one for one in claims(rows) if "abruptly" in one.words)
     assert claim.evidence.endswith("it also holds for: replay, suppressed")
-    judged = asked(rows, SINGLE_RUNS)
+    judged = {row: ABRUPTLY.judge(found) for row, found in rows.items()}
     assert judged[like] == judged[CONJECTURED]
-    assert judged[unlike]["abrupt, run by run"].verdict is Verdict.FAILS
+    assert judged[unlike].verdict is Verdict.FAILS
 
 
 def test_time_outs_with_some_late_corrections_are_no_phase_of_late_ones():
-    few = [[X, X, X, X, L]] * 6 + [[E] * 5] * 5 + [[B] * 5] * 20
-    found = verdicts({CONJECTURED: findings(few)})
+    found = verdicts({CONJECTURED: findings(TIME_OUTS)})
     assert said(found, "alone") is Verdict.FAILS
+    assert said(found, "as infants do") is Verdict.FAILS
 
 
 def test_runs_without_corrections_change_from_nothing_to_nothing():

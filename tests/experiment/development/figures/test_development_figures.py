@@ -31,6 +31,7 @@ NAMES = {
     "worlds": ("worlds",),
     "change": ("change",),
     "found": ("found",),
+    "haptics": ("haptics_portraits", "haptics_separation", "haptics_strategies"),
 }
 
 
@@ -61,7 +62,8 @@ def no_rendering():
 
 @pytest.fixture(scope="module")
 def drawn():
-    made = results(Extent(("learners", "causal", "population", "worlds", "found")))
+    parts = [part for part in EXTENT.parts if part != "change"]
+    made = results(Extent(tuple(parts)))
     return {name: decoded(png) for name, png in pictures.pictures(made, None)}
 
 

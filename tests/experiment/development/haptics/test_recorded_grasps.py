@@ -5,7 +5,7 @@ import pytest
 from felt_by_hand import recording
 
 from prospect_mj.errors import RecordingError
-from prospect_mj.experiment.development.haptics import effect, recorded
+from prospect_mj.experiment.development.haptics import recorded, touch
 from prospect_mj.experiment.development.haptics.grasp import (
     BODY,
     CRADLE,
@@ -13,6 +13,7 @@ from prospect_mj.experiment.development.haptics.grasp import (
     LID,
 )
 from prospect_mj.haptics import TrajectoryModels
+from prospect_mj.recording import felt
 
 MODELS = TrajectoryModels(
     weight=(0.5, 0.5),
@@ -22,7 +23,7 @@ MODELS = TrajectoryModels(
 
 
 def test_a_grasp_holds_until_the_next_one_that_succeeds():
-    held = recorded.holding_since(recording().nodes)
+    held = felt.holding_since(recording().nodes)
     tree = np.array([-1, 1, 2, 1, 4, 1, 6, -1])
     expected = np.concatenate([tree, np.where(tree < 0, -1, tree + 8)])
     np.testing.assert_array_equal(held, expected)
@@ -32,12 +33,12 @@ def test_each_node_has_the_category_of_its_grasp():
     """Lid left: the left hand has the lid, model 1, the right hand the body."""
     left = [0, 1, 0, 1, 0, 1, 1, 0]
     right = [0, 0, 1, 0, 1, 0, 0, 0]
-    found = recorded.category_of_nodes(recording(), MODELS)
+    found = felt.category_of_nodes(recording(), MODELS)
     np.testing.assert_array_equal(found, left + right)
 
 
 def test_the_very_end_is_told_where_a_hand_holds():
-    found = effect.ends_of_nodes(recording())
+    found = touch.ends_of_nodes(recording())
     left = [BODY, LID, BODY, LID, BODY, LID, LID, BODY]
     np.testing.assert_array_equal(found[:8], left)
     holds = recording().nodes.holding[8:] > 0
@@ -69,4 +70,4 @@ def test_a_recording_in_which_nothing_was_felt_is_told_in_one_line():
     outcomes.nodes.felt = np.full((16, 0, 2), np.nan, np.float32)
     with pytest.raises(RecordingError, match="no grasp of which it kept what was felt"):
         recorded.grasps(outcomes)
-    assert not recorded.category_of_nodes(outcomes, MODELS).any()
+    assert not felt.category_of_nodes(outcomes, MODELS).any()

@@ -33,7 +33,7 @@ def rng() -> np.random.Generator:
 def test_ends_that_feel_unlike_are_told_by_the_category_and_not_by_two_bits(rng):
     shares = told(grasps(12, rng))
     for kind in (CRADLE, HAND_OVER):
-        assert shares[ends.CATEGORY, kind] == shares[ends.TOUCH, kind] == 1.0
+        assert shares[ends.CATEGORY, kind] == shares[ends.FIRST_TOUCH, kind] == 1.0
         assert shares[ends.BITS, kind] == 0.5
 
 
@@ -62,12 +62,13 @@ def test_what_is_learned_is_not_tried_on_the_same_grasps(rng):
     assert shares == pytest.approx([1 - 1 / 12] * 2)
 
 
-def test_rows_have_wilsons_intervals(rng):
+def test_intervals_are_of_as_many_grasps_as_presentations(rng):
     rows = ends.told("jar", grasps(6, rng), TWO, rng).to_pylist()
     row = next(r for r in rows if r["by"] == ends.CATEGORY and r["kind"] == CRADLE)
-    assert (row["grasps"], row["told"], row["high"]) == (24, 1.0, 1.0)
-    # (1 + z^2 / 24)^-1 with z = 1.96 (Wilson 1927, all of 24).
-    assert row["low"] == pytest.approx(1 / (1 + 1.959964**2 / 24), abs=1e-6)
+    assert (row["grasps"], row["presentations"]) == (24, 12)
+    assert (row["told"], row["high"]) == (1.0, 1.0)
+    # (1 + z^2 / 12)^-1 with z = 1.96 (Wilson 1927, all of 12).
+    assert row["low"] == pytest.approx(1 / (1 + 1.959964**2 / 12), abs=1e-6)
 
 
 def test_two_models_are_better_than_one_where_there_are_two_kinds(rng):

@@ -41,6 +41,7 @@ HEADINGS = {
     "worlds": "Worlds that look unlike each other",
     "change": "A world that changes",
     "found": "What was discovered",
+    "haptics": "Haptic categories",
 }
 KEY = RecordingKey(RecordingConfig(seed=7), {}, {}, {})
 
@@ -74,6 +75,7 @@ def test_what_is_linked_is_there(whole, monkeypatch):
     made = results()
     monkeypatch.setattr(pictures, "_strategies", lambda results: b"")
     monkeypatch.setattr(pictures, "_change", lambda results: b"")
+    monkeypatch.setattr(pictures, "_touches", lambda results: b"")
     monkeypatch.setattr(pictures, "jar_pictures", lambda recording: [])
     names = {f"figures/{name}.png" for name, _ in pictures.pictures(made, None)}
     names |= {f"tables/{name}.parquet" for name in tables(made)}

@@ -1,14 +1,20 @@
 """Runs of deep learners: kept, gone on with, and missed in one line."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+from prospect_mj import paths
+from prospect_mj.agent import features, haptics
+from prospect_mj.envs import pick_place, trials
 from prospect_mj.errors import MissingPackage, RunFolderError
+from prospect_mj.experiment.development.report.rivals import rivals
+from prospect_mj.experiment.development.rivals import kept
 from prospect_mj.experiment.development.rivals.deep import agents, runs
 from prospect_mj.experiment.development.rivals.deep.agents import DeepRun
 from prospect_mj.experiment.development.rivals.deep.runs import DeepLearned, DeepStore
 from prospect_mj.experiment.development.rivals.rivals import deep_runs, run
-from prospect_mj.experiment.development.rivals.section import section
 from prospect_mj.experiment.development.rivals.settings import (
     DEEP,
     DQN_CONSTANT,
@@ -17,6 +23,8 @@ from prospect_mj.experiment.development.rivals.settings import (
     MASKABLE_PPO,
     RivalSettings,
 )
+from prospect_mj.recording import choices, presenter, task
+from prospect_mj.recording.recording import Recording
 
 NO_PLANNER = {"live_presentations": 0, "live_errors": ()}
 
@@ -72,7 +80,7 @@ def test_a_missing_library_is_told_before_anything_is_done(monkeypatch, tmp_path
     monkeypatch.setattr(agents, "find_spec", lambda module: None)
     settings = RivalSettings(agents=(LINEAR, DQN_CONSTANT))
     with pytest.raises(MissingPackage, match=r"torch .* extra rivals: pip install"):
-        run(tmp_path, settings)
+        run(tmp_path, Recording.load(), settings)
     assert not list(tmp_path.iterdir())
 
 
@@ -98,11 +106,11 @@ def test_the_linear_learners_need_no_library(monkeypatch, tmp_path):
         flips=(),
         **NO_PLANNER,
     )
-    results = run(tmp_path, settings, tell=lambda words: None)
+    results = run(tmp_path, Recording.load(), settings, tell=lambda words: None)
     rows = {row["agent"]: row for row in results.learning.to_pylist()}
     times = [rows[agent]["smoothed"] for agent in both]
     assert 200 < times[1] < times[0] < 800
-    words = section(results)
+    words = "\n".join(rivals(results))
     assert "| linear, masked | 60 |" in words
     assert "wider by the error" not in words
     assert {*results.tables} == {
@@ -111,18 +119,40 @@ def test_the_linear_learners_need_no_library(monkeypatch, tmp_path):
     }
 
 
+def test_a_run_is_another_when_any_file_that_decides_has_changed(tmp_path):
+    for name in ("envs", "recording"):
+        (tmp_path / name).mkdir()
+    one, patterns = tmp_path / "envs" / "one.py", ("envs/*.py", "recording/*.py")
+    one.write_text("A = 1\n")
+    first = kept.code(patterns, tmp_path)
+    one.write_text("A = 1  # Counted.\n")
+    assert kept.code(patterns, tmp_path) == first
+    (tmp_path / "recording" / "other.py").write_text("B = 1\n")
+    second = kept.code(patterns, tmp_path)
+    one.write_text("A = 2\n")
+    assert len({first, second, kept.code(patterns, tmp_path)}) == 3
+
+
+@pytest.mark.parametrize(
+    "module",
+    [agents, features, haptics, choices, pick_place, presenter, task, trials],
+)
+def test_what_makes_the_environment_decides(module):
+    package = Path(paths.__file__).parent
+    decide = {path for each in runs._CODE for path in package.glob(each)}
+    assert Path(module.__file__) in decide
+
+
 @pytest.mark.slow
 @pytest.mark.usefixtures("deep")
 @pytest.mark.parametrize("agent", DEEP)
-def test_a_deep_learner_is_the_same_again_in_another_process(agent, tmp_path):
-    one = DeepRun(agent, 60, seed=5)
-    kept = [
-        DeepStore(tmp_path / name, "recording").get([one], 1, print)[0].n_actions
-        for name in ("first", "second")
-    ]
-    assert len(kept[0]) == 60
-    assert kept[0].min() >= 2
-    np.testing.assert_array_equal(*kept)
+def test_a_deep_learner_is_the_same_after_another_in_its_process(agent, tmp_path):
+    other, one = (DeepRun(agent, 60, seed) for seed in (4, 5))
+    store = DeepStore(tmp_path, "recording")
+    _, after = store.get([other, one], 1, print)
+    assert len(after.n_actions) == 60
+    assert after.n_actions.min() >= 2
+    np.testing.assert_array_equal(after.n_actions, agents.train(one))
 
 
 @pytest.mark.slow

@@ -1,9 +1,11 @@
 """Search in exact models: shortest sequences, and an honest count of what they took."""
 
+from time import sleep
+
 import numpy as np
 import pytest
 
-from prospect_mj.experiment.development.rivals.planner import model_errors, prices
+from prospect_mj.experiment.development.rivals.planner import prices, wrong_physics
 from prospect_mj.experiment.development.rivals.planner.clock import Clock
 from prospect_mj.experiment.development.rivals.planner.search import (
     backward,
@@ -86,9 +88,11 @@ def test_prices_without_live_physics(recording):
 
 def test_a_clock_counts_only_what_the_processor_did():
     clock = Clock()
-    np.linalg.svd(np.ones((300, 300)))
-    assert clock.spent.wall > 0
-    assert clock.spent.processor > 0
+    sleep(0.05)
+    slept = clock.spent
+    assert slept.processor < 0.04 < slept.wall
+    np.linalg.svd(np.random.default_rng(0).normal(size=(200, 200)))
+    assert clock.spent.processor > slept.processor + 1e-4
 
 
 @pytest.mark.slow
@@ -108,12 +112,31 @@ def test_live_physics_is_searched_as_it_was_recorded(recording):
 @pytest.mark.gl
 def test_physics_with_too_narrow_a_receptacle_gives_no_plan(recording):
     settings = RivalSettings(live_errors=(-5,), depth=2)
-    rows = model_errors.searched(recording, settings, 10).to_pylist()
+    rows = wrong_physics.searched(recording, settings, 10).to_pylist()
     assert [row["orientation"] for row in rows] == list(NUMBERS)
     for row in rows:
         assert (row["plan"], row["inserted"], row["actions"]) == ("", False, 10)
         assert row["simulated"] == usual_actions(2)
 
 
+@pytest.mark.slow
+@pytest.mark.gl
+def test_a_receptacle_that_takes_the_lid_misleads_the_search(recording):
+    """The left hand is tried first: right where it has the lid, wrong elsewhere."""
+    settings = RivalSettings(live_errors=(4, 5))
+    rows = {
+        (row["error"], row["orientation"]): row
+        for row in wrong_physics.searched(recording, settings, 10).to_pylist()
+    }
+    assert all(row["inserted"] for (error, _), row in rows.items() if error == 4)
+    assert rows[5, "left"]["plan"] == rows[5, "right"]["plan"] != ""
+    assert [rows[5, lid]["actions"] for lid in NUMBERS] == [2, 10]
+    assert [rows[5, lid]["inserted"] for lid in NUMBERS] == [True, False]
+
+
 def _prices(recording, settings):
-    return prices.prices(recording, settings, 10).to_pylist()
+    if settings.live_presentations:
+        live = prices.live_prices(recording, settings)
+    else:
+        live = prices.PRICES.empty_table()
+    return prices.prices(recording, settings, 10, live).to_pylist()

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from prospect_mj.experiment.development.figures.rivals import learning_curves
 from prospect_mj.experiment.development.rivals import learning
-from prospect_mj.experiment.development.rivals.figure import learning_curves
 from prospect_mj.experiment.development.rivals.learning import Runs
 from prospect_mj.experiment.development.rivals.settings import (
     LINEAR,
@@ -42,15 +42,37 @@ def test_who_never_learns_is_never_near_optimal():
     assert np.isinf(row["single_run_low"])
 
 
-def test_many_runs_are_judged_by_samples_of_as_many_as_the_others_have():
-    """One run in a hundred never learns: it spoils the samples that have it."""
-    actions = np.full((100, 200), 2)
-    actions[0] = 10
-    few, many = (measured(Runs(actions, 0), size) for size in (4, 100))
-    assert few["smoothed"] == 0
-    assert np.isinf(few["smoothed_high"])
-    assert many["smoothed_high"] == few["all_runs"] == 0
-    assert few["single_run"] == 50
+def test_a_learner_with_many_runs_is_smoothed_as_if_it_had_few():
+    """Each group of ten runs would come out as the deep learners' ten do."""
+    chances = np.maximum(np.linspace(8, -30, 800), 0.38)
+    actions = 2 + np.random.default_rng(4).poisson(chances, (300, 800))
+    few = [measured(Runs(part, 0), 10) for part in np.split(actions, 30)]
+    many = measured(Runs(actions, 0), 10)
+    for name in ("smoothed", "smoothed_low", "smoothed_high"):
+        found = sorted(row[name] for row in few)
+        assert found[13] <= many[name] <= found[16]
+    assert many["smoothed"] > measured(Runs(actions, 0), 300)["smoothed"]
+    assert (many["smoothed_runs"], many["runs"], few[0]["runs"]) == (10, 300, 10)
+
+
+def test_one_unlucky_group_decides_nothing():
+    actions = np.full((30, 200), 2)
+    actions[:10] = 10
+    row = measured(Runs(actions, 0), 10)
+    assert row["smoothed"] == row["smoothed_high"] == 0
+    assert np.isinf(row["all_runs"])
+
+
+def test_smoothed_is_of_the_runs_themselves_and_resamples_only_bound_it():
+    """One run of four is slow, and then nearly good enough."""
+    actions = np.full((4, 200), 2)
+    actions[0, :100] = 10
+    actions[0, 100:] = 3
+    row = measured(Runs(actions, 0))
+    assert row["smoothed"] == row["all_runs"] == 100
+    # Drawn twice it makes a mean of 2.5; not drawn at all, one of 2.
+    assert row["smoothed_low"] == 0
+    assert np.isinf(row["smoothed_high"])
 
 
 def test_one_unlucky_set_spoils_only_the_strict_measure():

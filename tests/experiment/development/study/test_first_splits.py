@@ -7,6 +7,7 @@ import pytest
 from hand_made_runs import B, population
 
 from prospect_mj.actions.action import Action
+from prospect_mj.agent.haptics import haptic_state, n_haptic
 from prospect_mj.experiment.development.study.splits import Splits
 from prospect_mj.recording.hands import NONE, RIGHT
 
@@ -47,6 +48,20 @@ def test_other_contexts_don_t_count():
     splits[:, NONE, Action.GRASP_RIGHT] = 90
     rng = np.random.default_rng(0)
     assert Splits.of(replace(population_, splits=splits), rng) == made
+
+
+def test_of_the_categories_of_a_grasp_the_first_split_counts():
+    made = population([[[B] * 5] * 60] * 4, pretrain=PRETRAIN)
+    splits = np.full((4, n_haptic(2), 6), 12, np.int16)
+    splits[:, NONE, Action.GRASP_RIGHT] = 90
+    for category, trial in enumerate((70, 50)):
+        state = haptic_state(RIGHT, category, 2)
+        splits[:, state, Action.INSERT_RIGHT] = trial
+    found = Splits.of(replace(made, splits=splits), np.random.default_rng(0))
+    assert (found.insertion.estimate, found.grasp.estimate) == (40, 80)
+    splits[:, haptic_state(RIGHT, 1, 2), Action.INSERT_RIGHT] = -1
+    found = Splits.of(replace(made, splits=splits), np.random.default_rng(0))
+    assert found.insertion.estimate == 60
 
 
 def test_the_interval_holds_the_median_of_most_resamples():

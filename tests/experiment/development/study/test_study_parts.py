@@ -1,26 +1,27 @@
 """The study goes on where it was stopped, and its tables hold what was measured."""
 
 from collections import defaultdict
-from dataclasses import replace
+from itertools import product
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import small_study
 
-from prospect_mj.agent import DiscoverySettings
 from prospect_mj.agent.haptics import n_haptic
 from prospect_mj.experiment.development.claims.findings import Findings
+from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY, END
 from prospect_mj.experiment.development.measures.measures import MEASURES
 from prospect_mj.experiment.development.study import (
     after,
     causal,
+    haptic_rows,
     learners,
     measured,
     study,
 )
 from prospect_mj.experiment.development.study.learning import Laboratory
-from prospect_mj.experiment.development.study.rows import population
-from prospect_mj.experiment.development.study.settings import DOMINANT, Extent
+from prospect_mj.experiment.development.study.settings import Extent
 from prospect_mj.experiment.development.study.study import Study
 from prospect_mj.experiment.development.study.tables import tables
 from prospect_mj.experiment.populations import digests, store
@@ -49,7 +50,7 @@ def worlds():
 
 
 def opened(folder, worlds, tell=lambda line: None, extent=EXTENT):
-    return Study(folder, SETTINGS, extent, worlds, None, 1, tell)
+    return Study(folder, SETTINGS, extent, worlds, 1, tell)
 
 
 @pytest.fixture(scope="module")
@@ -185,29 +186,43 @@ def test_what_nothing_asked_for_is_told(done, worlds):
 def test_a_world_with_categories_has_its_own_population(tmp_path, worlds, learned):
     standard = worlds.standard
     category = np.arange(len(standard.nodes.child)) % 2
-    two_bits = population(SETTINGS, DiscoverySettings())
-    learner = DiscoverySettings(n_haptic=n_haptic(2))
-    told = replace(two_bits, learner=learner, categories=2)
-    asked = (World(standard), two_bits), (World(standard, 2, category), told)
+    told = {BITS: World(standard), CATEGORY: World(standard, 2, category)}
+    rows = haptic_rows.rows(SETTINGS, {BITS: 0, CATEGORY: 2})
+    asked = [row for row in rows if row.name == "discovery"]
+    assert [row.settings.learner.n_haptic for row in asked] == [3, n_haptic(2)]
     laboratory = Laboratory(tmp_path, worlds, 1, lambda line: None)
-    made = [
-        laboratory.learned_in(world, DOMINANT, settings)
-        for world, settings in asked * 2
-    ]
+    made = [laboratory.learned(row, told[row.touch]) for row in asked * 2]
     assert len(learned) == 2
     assert (made[0].n_actions == made[2].n_actions).all()
     assert (made[0].n_actions != made[1].n_actions).any()
     assert laboratory.unused() == []
 
 
-def test_haptics_and_rivals_get_the_study_s_sizes(tmp_path, worlds, monkeypatch):
+def test_what_learners_are_told_of_grasps_is_a_part_like_others(
+    tmp_path, worlds, monkeypatch
+):
+    standard, asked = worlds.standard, []
+    found = SimpleNamespace(models={study.haptics.RECORDED: None}, tables={})
+    monkeypatch.setattr(study.haptics, "run", lambda *a: asked.append(a) or found)
+    end = np.arange(len(standard.nodes.child)) % 2
+    told = {BITS: World(standard), END: World(standard, 2, end)}
+    monkeypatch.setattr(study.touch, "worlds", lambda recording, models: told)
+    made = opened(tmp_path, worlds, extent=Extent(("haptics",))).results()
+    ((folder, recording, haptic, *_),) = asked
+    assert (folder, recording) == (tmp_path, standard)
+    assert (haptic.grasped, haptic.seed) == (0, 0)
+    names = [(one.row.name, one.row.touch) for one in made.touches]
+    assert names == list(product(haptic_rows.FEELING, told))
+    assert {one.measured.runs for one in made.touches} == {SETTINGS.fewer_runs}
+    rows = tables(made)["measured"].to_pylist()
+    assert {(row["name"], row["touch"]) for row in rows} == set(names)
+
+
+def test_rivals_get_the_study_s_sizes(tmp_path, worlds, monkeypatch):
     asked = []
-    for module in (study.haptics, study.rivals):
-        monkeypatch.setattr(module, "run", lambda *given: asked.append(given))
-    opened(tmp_path, worlds, extent=Extent(("haptics", "rivals"))).results()
-    (folder, recording, haptic, *_), (_, rival, *_) = asked
-    assert (folder, recording) == (tmp_path, worlds.standard)
-    assert (haptic.runs, haptic.grasped, haptic.seed) == (2, 0, 0)
+    monkeypatch.setattr(study.rivals, "run", lambda *given: asked.append(given))
+    opened(tmp_path, worlds, extent=Extent(("rivals",))).results()
+    ((_, _, rival, *_),) = asked
     assert (rival.linear_runs, rival.deep_runs, rival.deep_trials) == (3, 2, 50)
     assert rival.live_presentations == 0
     assert rival.live_errors == ()

@@ -6,8 +6,10 @@ from itertools import chain, product
 import pytest
 
 from prospect_mj.agent import DiscoverySettings
+from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY, END
 from prospect_mj.experiment.development.study import (
     causal,
+    haptic_rows,
     learners,
     population,
     world_rows,
@@ -25,6 +27,7 @@ PARTS = {
     "population": population.rows(STUDY),
     "worlds": world_rows.worlds(STUDY, IMAGE_WORLDS),
     "change": world_rows.changes(STUDY, CHANGES),
+    "haptics": haptic_rows.rows(STUDY, {BITS: 0, CATEGORY: 3, END: 2}),
 }
 CAUSAL = {row.name: row for row in PARTS["causal"]}
 
@@ -132,3 +135,12 @@ def test_the_world_changes_after_all_trials():
     for row in changing:
         assert (row.scenario.trials, row.scenario.then_trials) == (1000, 600)
         assert row.world == "standard"
+
+
+def test_who_is_told_nothing_more_of_a_grasp_is_the_learner_of_the_other_parts():
+    worlds = [row for row in PARTS["worlds"] if row.world == "standard"]
+    others = {row.name: row.settings for row in worlds}
+    for row in PARTS["haptics"]:
+        same = row.settings == others[row.name]
+        assert same == (row.touch == BITS)
+        assert row.settings.categories == {BITS: 0, CATEGORY: 3, END: 2}[row.touch]

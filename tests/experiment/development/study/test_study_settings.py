@@ -49,7 +49,7 @@ def test_rows_of_large_tables_have_fewer_runs(runs, given, fewer):
 @pytest.mark.parametrize("planned", [0, 2, 50])
 def test_what_the_study_accepts_its_parts_accept(grasped, planned):
     made = StudySettings(runs=2, grasped=grasped, planned=planned)
-    HapticSettings(grasped=made.grasped, runs=made.fewer_runs)
+    HapticSettings(grasped=made.grasped)
     RivalSettings(
         linear_runs=made.runs,
         deep_runs=made.deep_runs,

@@ -1,16 +1,12 @@
-"""Runs of deep learners, each in a process of its own, kept as they end.
+"""Runs of deep learners in processes beside this one, kept as they end.
 
-Processes are spawned, not forked: what OpenGL, torch and their threads hold in this
-process would be broken in a copy of it. A run that was kept is not made again.
+A run that was kept is not made again. Each seeds the generators of torch, NumPy and
+Python for itself, so that it is the same whichever run its process made before.
 """
 
-import json
-import multiprocessing
 import os
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
-from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from pathlib import Path
 from time import process_time
@@ -19,14 +15,14 @@ from typing import NamedTuple
 import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
-from pyarrow.lib import ArrowException
 
-from prospect_mj import paths, tables
-from prospect_mj.errors import ForeignTable, RunFolderError
+from prospect_mj import tables
+from prospect_mj.errors import RunFolderError
+from prospect_mj.experiment.development.rivals import kept
 from prospect_mj.experiment.development.rivals.deep import agents
 from prospect_mj.experiment.development.rivals.deep.agents import DeepRun
-from prospect_mj.recording.provenance import code_digest, installed_versions, sha256
-from prospect_mj.recording.workers import end_with
+from prospect_mj.recording.provenance import installed_versions
+from prospect_mj.recording.workers import Workers
 from prospect_mj.storage import make_folder, replace_file
 
 _SCHEMA = pa.schema(
@@ -36,9 +32,12 @@ _SCHEMA = pa.schema(
 _PACKAGES = ("torch", "stable-baselines3", "sb3-contrib", "gymnasium", "numpy")
 _CODE = (
     "agent/features.py",
-    "envs/trials.py",
-    "experiment/development/rivals/deep/agents.py",
+    "agent/haptics.py",
+    "envs/*.py",
+    "recording/*.py",
+    "experiment/development/rivals/deep/*.py",
 )
+"""What makes the environment out of a recording, and the learner."""
 
 
 class DeepLearned(NamedTuple):
@@ -48,6 +47,14 @@ class DeepLearned(NamedTuple):
     """(n_trials,) [actions]."""
     seconds: float
     """Processor time in which it learned, its libraries' loading aside [s]."""
+
+
+class _File(NamedTuple):
+    """Where a run is kept."""
+
+    path: Path
+    digest: str
+    """Of all that decides its numbers."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +75,7 @@ class DeepStore:
         make_folder(self.folder, RunFolderError)
 
     def get(
-        self, runs: Sequence[DeepRun], jobs: int, tell: Callable[[str], None]
+        self, runs: Sequence[DeepRun], jobs: int, tell: Callable[[str], object]
     ) -> list[DeepLearned]:
         """Read runs, and let those that are not there learn.
 
@@ -82,55 +89,42 @@ class DeepStore:
             RunFolderError: if a kept run is damaged; it is left as it is.
             ChildProcessError: if a process was killed.
         """
-        missing = [run for run in runs if not self._path(run).exists()]
+        files = self._files(runs)
+        missing = [run for run, file in files.items() if not file.path.exists()]
         if missing:
             agents.check_installed()
         for number, (run, learned) in enumerate(_learn(missing, jobs), 1):
-            content = tables.parquet(_rows(learned), self._digest(run), "zstd")
-            replace_file(self._path(run), content)
+            content = tables.parquet(_rows(learned), files[run].digest, "zstd")
+            replace_file(files[run].path, content)
             tell(
                 f"{run.agent}, seed {run.seed}: {run.trials} trials in "
                 f"{learned.seconds:.0f} s ({number} of {len(missing)})"
             )
-        return [_read(self._path(run), self._digest(run)) for run in runs]
+        return [_read(files[run]) for run in runs]
 
-    def _path(self, run: DeepRun) -> Path:
-        name = f"{run.agent}-{run.seed:010d}-{self._digest(run)[:16]}.parquet"
-        return self.folder / name
-
-    def _digest(self, run: DeepRun) -> str:
-        """Of all that decides a run's numbers."""
-        package = Path(paths.__file__).parent
-        code = code_digest((n, (package / n).read_text("utf-8")) for n in _CODE)
-        decides = {name: str(value) for name, value in vars(run).items()}
-        decides |= installed_versions(_PACKAGES)
-        decides |= {"recording": self.recording, "code": code}
-        return sha256(json.dumps(decides, sort_keys=True).encode())
+    def _files(self, runs: Sequence[DeepRun]) -> dict[DeepRun, _File]:
+        """Where each run is kept, and the digest of all that decides its numbers."""
+        code, versions = kept.code(_CODE), installed_versions(_PACKAGES)
+        files = {}
+        for run in runs:
+            decides = {name: str(value) for name, value in vars(run).items()}
+            # Where the recording lies decides nothing.
+            decides |= {"recording": self.recording, "code": code, **versions}
+            digest = kept.digest(decides)
+            name = f"{run.agent}-{run.seed:010d}-{digest[:16]}.parquet"
+            files[run] = _File(self.folder / name, digest)
+        return files
 
 
 def _learn(runs: Sequence[DeepRun], jobs: int) -> Iterator[tuple[DeepRun, DeepLearned]]:
-    """Runs as they end, each in a fresh process."""
-    if not runs:
-        return
-    spawned = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(
-        min(jobs, len(runs)), mp_context=spawned, max_tasks_per_child=1
-    ) as processes:
-        parent = os.getpid()
-        waiting = {processes.submit(_one, run, parent): run for run in runs}
-        try:
-            for done in as_completed(waiting):
-                yield waiting[done], done.result()
-        except BrokenProcessPool as error:
-            words = "a process of a deep learner was killed, or ran out of memory"
-            raise ChildProcessError(words) from error
-        finally:
-            processes.shutdown(wait=False, cancel_futures=True)
+    """Runs as they end."""
+    if runs:
+        # Each has one thread: more of them than processors would wait for each other.
+        jobs = min(jobs, len(runs), os.cpu_count() or 1)
+        yield from Workers(jobs).map(_one, runs)
 
 
-def _one(run: DeepRun, parent: int) -> DeepLearned:
-    """Let one learn, in a process that ends with its parent."""
-    end_with(parent)
+def _one(run: DeepRun) -> tuple[DeepRun, DeepLearned]:
     # Loaded before the clock starts.
     import sb3_contrib  # noqa: F401
 
@@ -139,7 +133,7 @@ def _one(run: DeepRun, parent: int) -> DeepLearned:
         # The command that asked for the runs has told of a foreign recording.
         warnings.simplefilter("ignore")
         lengths = agents.train(run)
-    return DeepLearned(lengths, process_time() - began)
+    return run, DeepLearned(lengths, process_time() - began)
 
 
 def _rows(learned: DeepLearned) -> pa.Table:
@@ -152,13 +146,6 @@ def _rows(learned: DeepLearned) -> pa.Table:
     return pa.table(columns, schema=_SCHEMA)
 
 
-def _read(path: Path, digest: str) -> DeepLearned:
-    try:
-        rows = tables.read(path, _SCHEMA, digest, of="study")
-    except ForeignTable as error:
-        raise RunFolderError(str(error)) from error
-    except (OSError, ValueError, ArrowException) as error:
-        raise RunFolderError(
-            f"{path} can't be read: it is damaged; move it away and run again"
-        ) from error
+def _read(file: _File) -> DeepLearned:
+    rows = tables.read_kept(file.path, _SCHEMA, file.digest)
     return DeepLearned(rows["n_actions"].to_numpy(), rows["seconds"][0].as_py())

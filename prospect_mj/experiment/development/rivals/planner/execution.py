@@ -1,10 +1,10 @@
 """Carrying out plans on recorded outcomes, with a model that may be wrong.
 
 After every action the planner takes in what it feels, which hand holds the jar, and
-plans anew. An action after which everything is as before has failed; what follows from
-that is the rule for failed actions (`agent.failed_actions`). Where they are
-"suppressed", no further plan of the trial has the action; where no plan remains, the
-jar's ends must be the other way round than was believed.
+plans anew. What follows from an action that had no effect is the learners' rule for
+failed actions (`agent.failed_actions`). Where they are "suppressed", no further plan of
+the trial has the action; where no plan remains, the jar's ends must be the other way
+round than was believed.
 """
 
 from collections.abc import Iterable
@@ -14,14 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.actions.action import Action
-from prospect_mj.agent.failed_actions import FailedActions
+from prospect_mj.agent.failed_actions import FailedActionRule, FailedActions
 from prospect_mj.experiment.development.rivals.planner import facts as known
 from prospect_mj.experiment.development.rivals.planner.facts import Facts, Operator
 from prospect_mj.experiment.development.rivals.planner.geometry import Geometry
 from prospect_mj.experiment.development.rivals.planner.regression import plan
-from prospect_mj.recording.hands import hand_of
+from prospect_mj.recording.hands import LEFT, NONE, RIGHT, hand_of, number_of
 from prospect_mj.recording.recording import Recording
-from prospect_mj.robot.names import SIDES
+from prospect_mj.robot.names import SIDES, Side
 from prospect_mj.task.presentation import Orientation
 
 
@@ -48,33 +48,43 @@ class Belief:
     def __init__(self, lid: Orientation, rule: FailedActions) -> None:
         """Begin a trial."""
         self.facts: Facts = known.presented(lid)
-        self._suppresses = rule == "suppressed"
-        self._failed: set[Action] = set()
+        self._rule = FailedActionRule(rule)
 
     def next_step(
         self, geometry: Geometry, rng: np.random.Generator
     ) -> Operator | None:
         """The first operator of a new plan; None where there is none at all."""
+        failed = self._failed()
         beliefs = [self.facts]
-        if self._failed:
+        if failed:
             beliefs.append(known.turned_round(self.facts))
         for facts in beliefs:
-            made = plan(facts, geometry, rng, frozenset(self._failed))
+            made = plan(facts, geometry, rng, failed)
             if made.operators:
                 self.facts = facts
                 return made.operators[0]
         return None
 
-    def felt(self, tried: Operator, holder: str | None) -> None:
+    def felt(self, tried: Operator, holder: Side | None) -> None:
         """Take in which hand holds the jar after an action that did not insert it."""
         expected = tried.applied(self.facts)
+        before = known.holder(self.facts)
+        self._rule.note(number_of(before), tried.action, number_of(holder), False)
         if holder == known.holder(expected) and known.INSERTED not in expected:
             self.facts = expected
-        elif holder != known.holder(self.facts):
+        elif holder != before:
             # It was lost, and is nowhere that the model knows.
             self.facts = frozenset(map(known.empty, SIDES))
-        elif self._suppresses:
-            self._failed.add(tried.action)
+
+    def _failed(self) -> frozenset[Action]:
+        """What the rule leaves out, in whichever holding state a plan has it."""
+        every = np.ones(len(Action), bool)
+        remaining = [
+            self._rule.remaining(holding, every) for holding in (NONE, LEFT, RIGHT)
+        ]
+        return frozenset(
+            action for action in Action if not all(row[action] for row in remaining)
+        )
 
 
 def carry_out(

@@ -1,6 +1,6 @@
 """What a decision costs: queries and seconds of a planner, one product of a learner."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -13,7 +13,7 @@ from prospect_mj.experiment.development.rivals.planner.facts import presented
 from prospect_mj.experiment.development.rivals.planner.geometry import Geometry
 from prospect_mj.experiment.development.rivals.planner.regression import Plan, plan
 from prospect_mj.experiment.development.rivals.planner.search import (
-    Found,
+    SearchResult,
     backward,
     breadth_first,
     tried_out,
@@ -21,13 +21,13 @@ from prospect_mj.experiment.development.rivals.planner.search import (
 from prospect_mj.experiment.development.rivals.planner.simulators import (
     LiveSimulator,
     RecordedSimulator,
+    first_presentations,
 )
 from prospect_mj.experiment.development.rivals.settings import RivalSettings
-from prospect_mj.recording.grower import presentation_rng, task_settings
-from prospect_mj.recording.hands import NUMBERS, hand_of
+from prospect_mj.recording.grower import task_settings
+from prospect_mj.recording.hands import hand_of
 from prospect_mj.recording.recording import Recording
 from prospect_mj.task.pick_place import PickPlaceTask
-from prospect_mj.task.presentation import ORIENTATIONS
 
 PRICES = pa.schema(
     {
@@ -59,24 +59,48 @@ WHOLE = "backward chaining over the recorded tree, all of it known"
 _DECISIONS = 2000
 
 
-def prices(recording: Recording, settings: RivalSettings, max_actions: int) -> pa.Table:
+def prices(
+    recording: Recording, settings: RivalSettings, max_actions: int, live: pa.Table
+) -> pa.Table:
     """What the first decision of a trial costs, by method.
 
     Args:
         recording: presentations and outcomes.
-        settings: in how many presentations live physics is searched.
+        settings: how deep is searched.
         max_actions: for which presentations must be complete.
-
-    Raises:
-        RenderingUnavailable: if live physics is to be searched without OpenGL.
+        live: the rows of live physics, which are made on their own.
     """
     shown = recording.complete(max_actions)
     rows = [_decision(recording)]
     rows.append(_mean(CHAINING, [_chained(recording, n) for n in shown]))
-    if settings.live_presentations:
-        rows += _live(recording, settings)
+    rows += live.to_pylist()
     rows.append(_mean(BLIND, [_blind(recording, n, settings.depth) for n in shown]))
     rows.append(_mean(WHOLE, [_whole(recording, n) for n in shown]))
+    return pa.Table.from_pylist(rows, schema=PRICES)
+
+
+def live_prices(recording: Recording, settings: RivalSettings) -> pa.Table:
+    """The rows of live physics: a plan tried out, and the blind search.
+
+    Args:
+        recording: presentations.
+        settings: in how many of them, and how deep is searched.
+
+    Raises:
+        RenderingUnavailable: if there is no OpenGL.
+    """
+    verified, blind = [], []
+    with PickPlaceTask(task_settings(recording.key.config)) as task:
+        simulator = LiveSimulator(task)
+        numbers = first_presentations(recording, settings.live_presentations)
+        # Compiled code and maps are loaded when they are first asked for.
+        _verified(recording, simulator, numbers[0])
+        for number in numbers:
+            verified.append(_verified(recording, simulator, number))
+            start = simulator.present(recording, number)
+            search = partial(breadth_first, simulator, start, settings.depth)
+            blind.append(_searched(search) | _counted(simulator))
+    rows = [_mean(VERIFIED, verified), _mean(BLIND_LIVE, blind)]
     return pa.Table.from_pylist(rows, schema=PRICES)
 
 
@@ -130,14 +154,14 @@ def _whole(recording: Recording, number: int) -> dict[str, float]:
     return _searched(lambda: backward(recording, number))
 
 
-def _searched(search: Callable[[], Found]) -> dict[str, float]:
+def _searched(search: Callable[[], SearchResult]) -> dict[str, float]:
     clock = Clock()
     found = search()
     spent = clock.spent
     return _found(found) | {"steps": found.expanded} | _seconds(spent)
 
 
-def _found(found: Found) -> dict[str, float]:
+def _found(found: SearchResult) -> dict[str, float]:
     return {
         "actions": np.nan if found.actions is None else len(found.actions),
         "simulated": found.simulated,
@@ -145,26 +169,10 @@ def _found(found: Found) -> dict[str, float]:
     }
 
 
-def _live(recording: Recording, settings: RivalSettings) -> Iterable[dict[str, object]]:
-    """A plan tried out, and the blind search, in live physics."""
-    verified, blind = [], []
-    with PickPlaceTask(task_settings(recording.key.config)) as task:
-        simulator = LiveSimulator(task)
-        numbers = _first(recording, settings.live_presentations)
-        # Compiled code and maps are loaded when they are first asked for.
-        _verified(recording, simulator, numbers[0])
-        for number in numbers:
-            verified.append(_verified(recording, simulator, number))
-            start = _presented(recording, simulator, number)
-            search = partial(breadth_first, simulator, start, settings.depth)
-            blind.append(_searched(search) | _counted(simulator))
-    return [_mean(VERIFIED, verified), _mean(BLIND_LIVE, blind)]
-
-
 def _verified(
     recording: Recording, simulator: LiveSimulator, number: int
 ) -> dict[str, float]:
-    start = _presented(recording, simulator, number)
+    start = simulator.present(recording, number)
     clock = Clock()
     made = _planned(recording, number)
     found = tried_out(simulator, start, made.actions)
@@ -177,18 +185,3 @@ def _counted(simulator: LiveSimulator) -> dict[str, float]:
         "motion_plans": simulator.motion_plans,
         "ik_solutions": simulator.ik_solutions,
     }
-
-
-def _first(recording: Recording, most: int) -> list[int]:
-    """The first presentations of each orientation."""
-    lids = recording.presentations.lid
-    of_side = [np.flatnonzero(lids == NUMBERS[side])[:most] for side in ORIENTATIONS]
-    return [int(number) for number in np.concatenate(of_side)]
-
-
-def _presented(recording: Recording, simulator: LiveSimulator, number: int) -> object:
-    """The state when a recorded presentation begins, in live physics."""
-    shown, config = recording.presentations, recording.key.config
-    orientation = hand_of(int(shown.lid[number]))
-    rng = presentation_rng(config, orientation, int(shown.number[number]))
-    return simulator.begin(orientation, rng)

@@ -10,17 +10,20 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from prospect_mj.actions.action import Action
 from prospect_mj.experiment.development.rivals.planner.simulators import (
     Ran,
     Simulator,
 )
+from prospect_mj.recording.arrays import Nodes
+from prospect_mj.recording.felt import parents
 from prospect_mj.recording.recording import Recording
 
 
 @dataclass(frozen=True)
-class Found:
+class SearchResult:
     """What a search came to, and what it took."""
 
     actions: tuple[Action, ...] | None
@@ -33,7 +36,7 @@ class Found:
     """Simulated time of these [s]."""
 
 
-def breadth_first(simulator: Simulator, start: object, depth: int) -> Found:
+def breadth_first(simulator: Simulator, start: object, depth: int) -> SearchResult:
     """The blind search.
 
     Args:
@@ -50,12 +53,14 @@ def breadth_first(simulator: Simulator, start: object, depth: int) -> Found:
             ran = simulator.run(state, action)
             simulated, seconds = simulated + 1, seconds + ran.sim_seconds
             if ran.inserted:
-                return Found((*before, action), expanded, simulated, seconds)
+                return SearchResult((*before, action), expanded, simulated, seconds)
             waiting.append((ran.state, (*before, action)))
-    return Found(None, expanded, simulated, seconds)
+    return SearchResult(None, expanded, simulated, seconds)
 
 
-def tried_out(simulator: Simulator, start: object, actions: Sequence[Action]) -> Found:
+def tried_out(
+    simulator: Simulator, start: object, actions: Sequence[Action]
+) -> SearchResult:
     """Run a plan in the exact model, to see whether it is right before acting.
 
     Returns:
@@ -66,11 +71,11 @@ def tried_out(simulator: Simulator, start: object, actions: Sequence[Action]) ->
         ran = simulator.run(ran.state, action)
         seconds += ran.sim_seconds
         if ran.inserted:
-            return Found(tuple(actions[:number]), 0, number, seconds)
-    return Found(None, 0, len(actions), seconds)
+            return SearchResult(tuple(actions[:number]), 0, number, seconds)
+    return SearchResult(None, 0, len(actions), seconds)
 
 
-def backward(recording: Recording, number: int) -> Found:
+def backward(recording: Recording, number: int) -> SearchResult:
     """Goals of a presentation's recorded tree taken back until the root is among them.
 
     Args:
@@ -78,8 +83,7 @@ def backward(recording: Recording, number: int) -> Found:
         number: of the presentation.
     """
     nodes, root = recording.nodes, int(recording.presentations.root[number])
-    tree = _tree(recording, number)
-    parent, action = _parents(recording, tree)
+    tree, parent = _tree(recording, number), parents(nodes)
     # Every action of the tree but for its root was simulated, whatever the plan is.
     simulated, seconds = len(tree) - 1, float(nodes.sim_seconds[tree].sum())
     layer = {int(goal): () for goal in tree[nodes.inserted[tree]]}
@@ -87,33 +91,21 @@ def backward(recording: Recording, number: int) -> Found:
     while layer:
         expanded += len(layer)
         if root in layer:
-            return Found(layer[root], expanded, simulated, seconds)
+            return SearchResult(layer[root], expanded, simulated, seconds)
         layer = {
-            parent[node]: (action[node], *rest)
+            int(parent[node]): (_action(nodes, int(parent[node]), node), *rest)
             for node, rest in layer.items()
             if node != root
         }
-    return Found(None, expanded, simulated, seconds)
+    return SearchResult(None, expanded, simulated, seconds)
 
 
-def _tree(recording: Recording, number: int) -> np.ndarray:
+def _tree(recording: Recording, number: int) -> NDArray[np.int64]:
     """Nodes of a presentation (n,): its root, and all up to the next root."""
-    roots, n_nodes = recording.presentations.root, len(recording.nodes.depth)
-    begin = int(roots[number])
-    after = roots[roots > begin]
-    return np.arange(begin, int(after.min()) if len(after) else n_nodes)
+    ends = np.append(recording.presentations.root, len(recording.nodes.depth))
+    return np.arange(ends[number], ends[number + 1])
 
 
-def _parents(
-    recording: Recording, tree: np.ndarray
-) -> tuple[dict[int, int], dict[int, Action]]:
-    """The node that each node's action started from, and the action."""
-    child = recording.nodes.child
-    edges = [
-        (int(child[node, action]), int(node), action)
-        for node in tree
-        for action in Action
-        if child[node, action] >= 0 and child[node, action] != node
-    ]
-    parent = {led_to: node for led_to, node, _ in edges}
-    return parent, {led_to: action for led_to, _, action in edges}
+def _action(nodes: Nodes, before: int, node: int) -> Action:
+    """What led from a node to another."""
+    return Action(int(np.flatnonzero(nodes.child[before] == node)[0]))

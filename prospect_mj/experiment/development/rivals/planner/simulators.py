@@ -11,11 +11,12 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from prospect_mj.actions.action import Action
+from prospect_mj.recording.grower import presentation_rng
+from prospect_mj.recording.hands import NUMBERS, hand_of
 from prospect_mj.recording.recording import Recording
 from prospect_mj.supervisor.predicates import PredicateState
 from prospect_mj.supervisor.supervisor import Supervisor
 from prospect_mj.task.pick_place import PickPlaceTask
-from prospect_mj.task.presentation import Orientation
 from prospect_mj.task.trial_state import TrialState
 
 _USEFUL = Supervisor("productive")
@@ -87,8 +88,16 @@ class LiveSimulator:
             if arm.planner is not None:
                 self._counted(arm.planner, "motion_plans", ("plan", "resume"))
 
-    def begin(self, orientation: Orientation, rng: np.random.Generator) -> TrialState:
-        """Present the jar, look at it, and forget what was counted."""
+    def present(self, recording: Recording, number: int) -> TrialState:
+        """Present the jar as it was recorded, look at it, and forget what was counted.
+
+        Args:
+            recording: of a world that may differ from this one.
+            number: of its presentation.
+        """
+        shown, config = recording.presentations, recording.key.config
+        orientation = hand_of(int(shown.lid[number]))
+        rng = presentation_rng(config, orientation, int(shown.number[number]))
         self._task.reset(orientation, rng)
         self.motion_plans, self.ik_solutions = 0, 0
         return self._task.save()
@@ -121,3 +130,10 @@ def useful(predicates: PredicateState) -> tuple[Action, ...]:
     """What the supervisor lets run and could change anything, by number."""
     offered = _USEFUL.choice_set(predicates)
     return tuple(action for action in Action if offered[action])
+
+
+def first_presentations(recording: Recording, most: int) -> list[int]:
+    """Numbers of the first presentations of each orientation."""
+    lids = recording.presentations.lid
+    of_side = [np.flatnonzero(lids == lid)[:most] for lid in NUMBERS.values()]
+    return [int(number) for number in np.concatenate(of_side)]

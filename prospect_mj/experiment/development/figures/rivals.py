@@ -67,7 +67,7 @@ def learning_curves(curves: pa.Table, settings: RivalSettings) -> bytes:
     heading = Heading(
         "Rivals on the same task",
         f"means over runs and over {BLOCK * SMOOTHED} trials; bands: 95 % of means of "
-        f"{settings.deep_runs} runs",
+        f"{settings.deep_runs} runs, resampled",
     )
     (axes,) = panels(heading, _HEIGHT, (1,))
     agents = pc.unique(curves["agent"]).to_pylist()

@@ -1,4 +1,4 @@
-"""Pictures of the study of haptic categories."""
+"""What the fingers feel of both ends of a jar, and how well that tells them apart."""
 
 from collections.abc import Mapping, Sequence
 
@@ -10,7 +10,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse
 from matplotlib.ticker import PercentFormatter
 
-from prospect_mj.experiment.development.haptics import effect, ends
+from prospect_mj.experiment.development.figures.grid import GREY, Size, grid, name
+from prospect_mj.experiment.development.haptics import ends
 from prospect_mj.experiment.development.haptics.grasp import (
     CRADLE,
     HAND_OVER,
@@ -19,33 +20,23 @@ from prospect_mj.experiment.development.haptics.grasp import (
 )
 from prospect_mj.experiment.paper.figures.figure_frame import (
     BLUE,
-    GREEN,
     INK,
     SMALL,
     VERMILION,
-    columns,
-    middles,
     write,
 )
 from prospect_mj.experiment.run.plots import png
 from prospect_mj.haptics import TrajectoryModels
 
-_GREY = "#9a9a9a"
 _BY = {
-    ends.BITS: _GREY,
-    ends.TOUCH: "#8fc1e3",
+    ends.BITS: GREY,
+    ends.FIRST_TOUCH: "#8fc1e3",
     ends.CATEGORY: BLUE,
     ends.TIME: "#8c5a00",
 }
 _ENDS = {"body": BLUE, "lid": VERMILION}
 """In the order of their numbers."""
 _PLURAL = {CRADLE: "grasps out of the cradle", HAND_OVER: "hand-overs"}
-_STRATEGIES = {"late": VERMILION, "early": GREEN, "optimal": BLUE, "other": _GREY}
-_TITLES = {
-    effect.BITS: "told the hand: two bits",
-    effect.CATEGORY: "told the category, too",
-    effect.END: "told the very end",
-}
 _DEVIATIONS = 2
 
 
@@ -61,24 +52,28 @@ def portraits(
     Returns:
         The picture as PNG.
     """
-    size, width = (len(KINDS), len(grasps)), 2.6 * len(grasps)
-    figure = Figure(figsize=(max(width, 6), 5.4), dpi=150, layout="constrained")
-    panels = figure.subplots(*size, sharex=True, sharey=True, squeeze=False)
-    for column, (jar, felt) in zip(panels.T, grasps.items(), strict=True):
+    of = (
+        "paths of grasps, and their models: ellipses at two deviations, dotted after "
+        "a correction of the hand"
+    )
+    size = Size(len(KINDS), len(grasps), max(2.6 * len(grasps), 8.0), 6.0)
+    made = grid("Phase portraits of grasps", of, size)
+    for column, (jar, felt) in zip(made.axes.T, grasps.items(), strict=True):
         corrected = any(len(np.unique(grasp.samples[:, 2])) > 1 for grasp in felt)
         for axes, kind in zip(column, KINDS, strict=True):
             _draw_models(axes, models[jar], corrected)
             shown = [grasp for grasp in felt if grasp.kind == kind]
             for end, colour in enumerate(_ENDS.values()):
                 _draw_grasps(axes, [g for g in shown if g.end == end], colour)
-            _frame(axes, f"{jar}\n{len(shown)} {_PLURAL[kind]}")
+            name(axes, f"{jar}\n{len(shown)} {_PLURAL[kind]}")
         column[-1].set_xlabel("residual ε [1]")
-    for axes in panels[:, 0]:
+    for axes in made.axes[:, 0]:
         axes.set_ylabel("rate dε/dt [1/s]")
-    for name, colour in _ENDS.items():
-        panels[0, 0].plot([], [], "o", ms=4, color=colour, label=f"held by the {name}")
-    _name_below(figure, panels[0, 0])
-    return png(figure)
+    first = made.axes[0, 0]
+    for end, colour in _ENDS.items():
+        first.plot([], [], "o", ms=4, color=colour, label=f"held by the {end}")
+    _name_below(made.figure, first)
+    return png(made.figure)
 
 
 def separation(told: pa.Table) -> bytes:
@@ -91,45 +86,20 @@ def separation(told: pa.Table) -> bytes:
         The picture as PNG.
     """
     jars = pc.unique(told["jar"]).to_pylist()
-    figure = Figure(figsize=(8, 5.6), dpi=150, layout="constrained")
-    panels = figure.subplots(len(KINDS), sharex=True)
-    for axes, kind in zip(panels, KINDS, strict=True):
+    title = "Which end is held, told right"
+    of = "bars: share of grasps; lines: 95 % intervals; dotted: by chance"
+    made = grid(title, of, Size(len(KINDS), 1, height=6.4))
+    for axes, kind in zip(made.axes[:, 0], KINDS, strict=True):
         rows = told.filter(pc.field("kind") == kind).to_pylist()
         for place, (by, colour) in enumerate(_BY.items()):
             _draw_bars(axes, [r for r in rows if r["by"] == by], jars, place, colour)
-        _frame(axes, kind)
+        name(axes, kind)
         axes.axhline(0.5, color=INK, lw=0.8, ls=(0, (1, 2)))
-        axes.set(ylim=(0, 1.02), ylabel="end told right")
+        axes.set_ylim(0, 1.02)
         axes.yaxis.set_major_formatter(PercentFormatter(1, symbol=" %"))
-    panels[-1].set_xticks(range(len(jars)), jars)
-    _name_below(figure, panels[0])
-    return png(figure)
-
-
-def strategies(shares: pa.Table) -> bytes:
-    """Draw the shares of strategies in difficult trials, a panel for each learner.
-
-    Args:
-        shares: under `effect.SHARES`.
-
-    Returns:
-        The picture as PNG.
-    """
-    size = len(effect.LEARNERS), len(effect.TOLD)
-    figure = Figure(figsize=(10, 5.6), dpi=150, layout="constrained")
-    panels = figure.subplots(*size, sharex=True, sharey=True)
-    for row, learner in zip(panels, effect.LEARNERS, strict=True):
-        for axes, told in zip(row, effect.TOLD, strict=True):
-            chosen = (pc.field("learner") == learner) & (pc.field("told") == told)
-            _draw_shares(axes, shares.filter(chosen))
-            _frame(axes, f"{learner}, {_TITLES[told]}")
-        row[0].set_ylabel("share of difficult trials")
-    for axes in panels[-1]:
-        axes.set_xlabel("trial")
-    panels[0, 0].yaxis.set_major_formatter(PercentFormatter(1, symbol=" %"))
-    panels[0, 0].set_ylim(0, 1)
-    _name_below(figure, panels[0, 0])
-    return png(figure)
+    axes.set_xticks(range(len(jars)), jars)
+    _name_below(made.figure, axes)
+    return png(made.figure)
 
 
 def _name_below(figure: Figure, axes: Axes) -> None:
@@ -139,15 +109,8 @@ def _name_below(figure: Figure, axes: Axes) -> None:
     figure.legend(handles, labels, loc="outside lower center", **style)
 
 
-def _frame(axes: Axes, words: str) -> None:
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.grid(axis="y", color="#e6e6e6", linewidth=0.8)
-    axes.set_axisbelow(True)
-    axes.set_title(words, loc="left", fontsize=SMALL + 1)
-
-
 def _draw_models(axes: Axes, models: TrajectoryModels, corrected: bool) -> None:
-    """An ellipse at two deviations round each mean, dashed for later probes.
+    """An ellipse at two deviations round each mean, dotted for later probes.
 
     Args:
         axes: where.
@@ -191,13 +154,3 @@ def _draw_bars(
     whisker = {"ecolor": INK, "capsize": 2, "error_kw": {"lw": 1}}
     style = {"color": colour, "label": rows[0]["by"], "yerr": error}
     axes.bar(where, told, 0.9 * width, **style, **whisker)
-
-
-def _draw_shares(axes: Axes, shares: pa.Table) -> None:
-    for strategy, colour in _STRATEGIES.items():
-        data = columns(shares.filter(pc.field("strategy") == strategy))
-        places = middles(data["trial"])
-        axes.fill_between(
-            places, data["low"], data["high"], color=colour, alpha=0.2, lw=0
-        )
-        axes.plot(places, data["share"], color=colour, lw=1.3, label=strategy)

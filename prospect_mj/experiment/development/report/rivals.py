@@ -1,28 +1,28 @@
-"""What the comparison comes to, in Markdown."""
+"""What the comparison with rivals comes to."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 import numpy as np
 
-from prospect_mj.experiment.development.rivals.figure import NAMES
+from prospect_mj.experiment.development.figures.rivals import NAMES
 from prospect_mj.experiment.development.rivals.planner.model_errors import FLIP, KINDS
 from prospect_mj.experiment.development.rivals.rivals import RivalResults
 from prospect_mj.experiment.estimate import Estimate
 from prospect_mj.experiment.paper.report.markdown import table
-
-FIGURE = "figures/rivals.png"
-"""Of the learning curves, beside the report."""
 
 _LEARNERS = """\
 All learn from the same recorded outcomes, both orientations from the first trial on, -1
 an action and at most ten of them. Trials until near-optimal, a mean of at most 2.4
 actions: *all runs*, as in the reproduction, until every set of ten trials has such a
 mean over runs, which one unlucky set of few runs spoils; *smoothed*, until every moving
-mean over five sets has, the median over samples of {size} runs with the middle 95 % of
-them; *single run*, until a run has had 50 such trials, the median over runs. *Masked*,
-and MaskablePPO, choose from the supervisor's mode `productive`. The deep learners have
-the libraries' settings but for a few, and were not tuned: another rate, network or
-schedule may well do better.
+mean over five sets has, of {size} runs, so that many runs have no advantage: of those
+who have more, the medians over groups of {size}; *single run*, until a run has had 50
+such trials, the median over runs. In brackets: 95 % of resamples of the runs. A
+resampled curve is rougher than that of the runs themselves, so that it settles rather
+late. *Masked*, and MaskablePPO, choose from the supervisor's mode `productive`. The
+deep learners have the libraries' settings but for a few, and were not tuned: another
+rate, network or schedule may well do better. A linear learner's processor time is the
+wall time of all runs by the threads they had.
 """
 
 _PRICES = """\
@@ -43,38 +43,37 @@ ends to be the other way round where no plan remains.
 
 _LIVE = """\
 Blind search in live physics whose receptacle is wider by the error on each side, its
-plan carried out on recorded outcomes. No plan: no sequence of at most {depth} actions
-inserts the jar. Too wide a receptacle does not mislead it, as it asks the simulator
-where the jar is: one that went in lid first is not inserted, whatever the hand felt.
+plan carried out on recorded outcomes, in one presentation of each orientation. No plan:
+no sequence of at most {depth} actions inserts the jar in the searched physics.
 """
 
 
-def section(results: RivalResults) -> str:
-    """The section of the study's report.
+def rivals(results: RivalResults) -> Iterator[str]:
+    """The section, a piece at a time.
 
     Args:
         results: what came out.
     """
-    parts = [
-        "## Rivals on the same task",
-        _LEARNERS.format(size=results.settings.deep_runs).rstrip(),
-        f"![Learning curves of all learners]({FIGURE})",
-        _learning(results),
-        "### What a planner's decision costs",
-        _PRICES.rstrip(),
-        _prices(results),
-        "### Where a slightly wrong model breaks the plan",
-        _ERRORS.rstrip(),
-        *(_errors(results, kind) for kind in KINDS),
-    ]
+    yield "## Rivals on the same task"
+    yield _LEARNERS.format(size=results.settings.deep_runs).rstrip()
+    yield "![Learning curves of all learners](figures/rivals.png)"
+    yield _learning(results)
+    yield "### What a planner's decision costs"
+    yield _PRICES.rstrip()
+    yield _prices(results)
+    yield "### Where a slightly wrong model breaks the plan"
+    yield _ERRORS.rstrip()
+    for kind in KINDS:
+        yield _errors(results, kind)
     if results.live_errors.num_rows:
-        said = _LIVE.format(depth=results.settings.depth)
-        parts += [said.rstrip(), _live(results)]
-    return "\n\n".join(parts) + "\n"
+        yield _LIVE.format(depth=results.settings.depth).rstrip()
+        yield _where_it_breaks(results)
+        yield _live(results)
 
 
 def _learning(results: RivalResults) -> str:
-    head = "learner", "runs", "all runs", "smoothed", "single run", "last 100 trials"
+    size = results.settings.deep_runs
+    head = "learner", "runs", "all runs", f"smoothed, {size} runs", "single run"
     rows = [
         (
             NAMES[row["agent"]],
@@ -87,7 +86,7 @@ def _learning(results: RivalResults) -> str:
         )
         for row in results.learning.to_pylist()
     ]
-    return table((*head, "processor time of a run [s]"), rows)
+    return table((*head, "last 100 trials", "processor time of a run [s]"), rows)
 
 
 def _trials(row: dict[str, float], name: str) -> str:
@@ -148,6 +147,35 @@ def _errors(results: RivalResults, kind: str) -> str:
     sign = "g" if kind == FLIP else "+g"
     lines = [(f"{error:{sign}}", *words) for error, words in cells.items()]
     return table((unit, "allowed", "suppressed"), lines)
+
+
+def _where_it_breaks(results: RivalResults) -> str:
+    """What came of the plans of wrong physics, and by which errors."""
+    rows = results.live_errors.to_pylist()
+    kinds = {
+        "the plan inserts the jar in the world": [
+            row for row in rows if row["inserted"]
+        ],
+        "it inserts the jar in the searched physics only": [
+            row for row in rows if row["plan"] and not row["inserted"]
+        ],
+        "there is no plan": [row for row in rows if not row["plan"]],
+    }
+    return "\n".join(
+        f"- {words}: {_by_error(found) or 'at no error'}"
+        for words, found in kinds.items()
+    )
+
+
+def _by_error(rows: Iterable[Mapping[str, object]]) -> str:
+    """The errors of some rows, with the orientation where only one is there."""
+    lids: dict[float, list[str]] = {}
+    for row in rows:
+        lids.setdefault(row["error"], []).append(row["orientation"])
+    return "; ".join(
+        f"{error:+g} mm" + (f", lid {found[0]}" if len(found) == 1 else "")
+        for error, found in lids.items()
+    )
 
 
 def _live(results: RivalResults) -> str:

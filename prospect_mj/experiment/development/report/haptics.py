@@ -1,0 +1,108 @@
+"""What the study of haptic categories comes to, in Markdown."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import pyarrow.compute as pc
+
+from prospect_mj.experiment.development.claims.criteria import develops
+from prospect_mj.experiment.development.haptics import ends
+from prospect_mj.experiment.development.haptics.grasp import KINDS
+from prospect_mj.experiment.development.haptics.haptics import RECORDED, HapticResults
+from prospect_mj.experiment.development.measures.measures import MEASURES
+from prospect_mj.experiment.development.report.cells import measured_table
+from prospect_mj.experiment.development.report.command import command
+from prospect_mj.experiment.development.report.haptics_answer import answer
+from prospect_mj.experiment.development.report.haptics_claims import percent
+from prospect_mj.experiment.development.study.measured import GRASP, INSERTION
+from prospect_mj.experiment.development.study.results import Results
+from prospect_mj.experiment.paper.measures.quantity import Kind, with_interval
+from prospect_mj.experiment.paper.report.markdown import table
+
+_MODELS = """\
+The paths of the grasp controller through the phase portrait of its residual and the
+residual's rate, while all three fingertips touch, were clustered into {models} models,
+without a word about what was grasped. Ellipses lie at two deviations; dotted: after a
+correction of the hand.
+"""
+
+_TOLD = """\
+Which end a hand holds, lid or body, told right [%], on presentations that it was not
+learned from. Grasps of one presentation may depend on each other: the 95 % intervals,
+Wilson's, are as wide as if each presentation were a single grasp. The *two bits* say
+which hand holds the jar, and so nothing of the end. *At first touch*: the category by
+the first sample alone. The *closing time* of the fingers is no part of the phase
+portrait, and its threshold was learned with the ends told: it shows what the hand's own
+posture has to say.
+"""
+
+_EFFECT = """\
+Learners on the recorded outcomes, told of a grasp only the hand (two bits), its
+category as well, or, as a bound on what any category could do, the very end. Failed
+actions are suppressed, the right hand was made dominant. With categories an insertion
+counts as split when it is for one of them.
+"""
+
+
+def haptics(results: Results) -> Iterator[str]:
+    """The section, a piece at a time."""
+    found = results.haptics
+    yield "## Haptic categories"
+    yield answer(found.told, results.touches)
+    yield _MODELS.format(models=len(found.models[RECORDED])).rstrip()
+    yield "![Phase portraits of grasps](figures/haptics_portraits.png)"
+    yield "### What they tell that two bits can't"
+    yield _TOLD.rstrip()
+    yield "![Which end is held, told right](figures/haptics_separation.png)"
+    yield _told(found)
+    yield "Other numbers of models, both kinds of grasps together:"
+    yield _numbers(found)
+    yield "### What they do to late and early corrections"
+    yield _EFFECT.rstrip()
+    yield "![Strategies of those told more](figures/haptics_strategies.png)"
+    yield _effect(results)
+    yield command(results, "haptics")
+
+
+def _told(found: HapticResults) -> str:
+    rows: dict[tuple[str, str], dict[str, str]] = {}
+    for row in found.told.to_pylist():
+        cells = rows.setdefault((row["jar"], row["kind"]), {})
+        cells |= {name: str(row[name]) for name in ("presentations", "grasps")}
+        cells[row["by"]] = percent(row)
+    names = "presentations", "grasps", *ends.BY
+    lines = [(*key, *(cells[name] for name in names)) for key, cells in rows.items()]
+    order = {kind: place for place, kind in enumerate(KINDS)}
+    lines.sort(key=lambda line: order[line[1]])
+    return table(("jar", "grasp", *names), lines)
+
+
+def _numbers(found: HapticResults) -> str:
+    jars = pc.unique(found.numbers["jar"]).to_pylist()
+    cells: dict[int, list[str]] = {}
+    for row in found.numbers.to_pylist():
+        words = f"{percent(row)}; {row['bic']:.0f}"
+        cells.setdefault(row["models"], []).append(words)
+    head = "models", *(f"{jar}: told right [%]; BIC" for jar in jars)
+    return table(head, [(str(n), *words) for n, words in cells.items()])
+
+
+def _effect(results: Results) -> str:
+    head = "learner", "told", "as infants", "insertion split", "grasp split"
+    rows = [
+        (
+            (
+                one.row.name,
+                one.row.touch,
+                develops(one.measured),
+                *(_split(one.measured.measured, name) for name in (INSERTION, GRASP)),
+            ),
+            one.measured,
+        )
+        for one in results.touches
+    ]
+    return measured_table(head, rows, MEASURES)
+
+
+def _split(found: Mapping[str, Any], name: str) -> str:
+    return with_interval(found[name], Kind.TRIAL) if name in found else "-"
