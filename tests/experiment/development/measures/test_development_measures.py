@@ -176,6 +176,16 @@ def test_abrupt_runs_make_a_gradual_mean():
     assert found.common.low > changes.ABRUPT
 
 
+@pytest.mark.parametrize(("width", "left"), [(10, 1.3), (20, 3.4)])
+def test_a_chance_that_rises_evenly_leaves_what_the_bound_stands_for(width, left):
+    rng = np.random.default_rng(8)
+    chance = np.clip((np.arange(100) - 50) / width + 0.5, 0, 1)
+    strategies = np.where(rng.random((4000, 100)) < chance, E, L).astype(np.int8)
+    found = changes.misplaced(strategies).min(axis=1).mean()
+    assert found == pytest.approx(left, abs=0.1)
+    assert (found < changes.ABRUPT) == (width == 10)
+
+
 @pytest.mark.parametrize(("before", "after"), [(20, 20), (40, 60), (60, 200)])
 def test_how_long_a_stage_lasts_makes_no_change_abrupt(before, after):
     """Of n trials in turn half are on the wrong side, but for one."""
