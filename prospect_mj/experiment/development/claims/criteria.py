@@ -133,11 +133,6 @@ LIKE_INFANTS = (
 
 UNLIKE_INFANTS = (
     Criterion(
-        "late corrections prevail",
-        "in a block late corrections are more than a half of the difficult trials",
-        _measured("late_most", Kind.SHARE, Target(PREVAILING, 1.0)),
-    ),
-    Criterion(
         "corrections do not dominate",
         "corrections never exceed the optimal strategy for fifty trials on end",
         _measured("dominance", Kind.TRIAL, Target(0, 49)),

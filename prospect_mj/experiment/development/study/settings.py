@@ -27,7 +27,7 @@ PARTS: tuple[Part, ...] = get_args(Part)
 DOMINANT = Scenario(trials=1000, pretrain=400, dominant="right")
 """The paper's scenario with a dominant hand (section 3.2)."""
 
-IMAGE_WORLDS = (STANDARD, "lamp-right", "noisy")
+IMAGE_WORLDS = (STANDARD, "lamp-right", "lamp-high", "noisy", "ring-label")
 """Those that are looked at unlike each other."""
 CHANGES = ("post", "lamp-right")
 """Those that the standard world changes into after learning."""
