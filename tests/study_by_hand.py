@@ -17,6 +17,7 @@ from prospect_mj.experiment.development.haptics.haptics import (
 from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY, END
 from prospect_mj.experiment.development.measures.development import Development
 from prospect_mj.experiment.development.study import (
+    abstract_rows,
     after,
     causal,
     haptic_rows,
@@ -130,6 +131,9 @@ def results(extent=EXTENT, settings=SETTINGS):
             made.learners.append(told(row, kind))
             if row.rule == "suppressed" and row.name in learners.LEARNERS:
                 made.singles.append(Single(row, runs(kind)))
+        made.towards_abstract = [
+            shown(row, "infant").measured for row in abstract_rows.rows(settings)
+        ]
     if "causal" in parts:
         made.causal = [causal_row(row) for row in causal.rows(settings)]
     if "population" in parts:

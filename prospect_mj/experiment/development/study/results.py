@@ -30,6 +30,8 @@ class Results:
     extent: Extent
     learners: list[Told] = field(default_factory=list)
     """Every learner under both rules, controls among them."""
+    towards_abstract: list[Measured] = field(default_factory=list)
+    """The four learners with a thing of the abstract task (`abstract_rows`)."""
     singles: list[Single] = field(default_factory=list)
     """The four learners, failed actions being suppressed."""
     causal: list[Measured] = field(default_factory=list)

@@ -18,7 +18,7 @@ from prospect_mj.experiment.development.claims.claims import (
 from prospect_mj.experiment.development.figures import pictures
 from prospect_mj.experiment.development.measures.ages import AGES
 from prospect_mj.experiment.development.measures.measures import MEASURES
-from prospect_mj.experiment.development.report.abstract import ABSTRACT
+from prospect_mj.experiment.development.report.abstract_numbers import ABSTRACT
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.report.opening import answer
 from prospect_mj.experiment.development.report.report import Made, report
