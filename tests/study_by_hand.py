@@ -28,6 +28,7 @@ from prospect_mj.experiment.development.study import (
 )
 from prospect_mj.experiment.development.study import population as spread
 from prospect_mj.experiment.development.study.found import CHOICE, Found, Range, Says
+from prospect_mj.experiment.development.study.ideal_outcomes import IdealOutcomes
 from prospect_mj.experiment.development.study.measured import Measured, Shown, Told
 from prospect_mj.experiment.development.study.results import Results, Single
 from prospect_mj.experiment.development.study.settings import Extent
@@ -131,6 +132,7 @@ def results(extent=EXTENT, settings=SETTINGS):
             made.learners.append(told(row, kind))
             if row.rule == "suppressed" and row.name in learners.LEARNERS:
                 made.singles.append(Single(row, runs(kind)))
+        made.outcomes = IdealOutcomes(500, 0)
         made.towards_abstract = [
             shown(row, "infant").measured for row in abstract_rows.rows(settings)
         ]

@@ -16,11 +16,11 @@ from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.experiment.paper.report.markdown import table
 
 _TASKS = """\
-The abstract task: every action that can succeed does, a histogram is one of two made-up
-ones with noise in each bin, and a swap or a grasp has one outcome. The recorded one:
-what {pictures} presentations led to in simulated contact, and pictures that a camera
-saw: {found}. Its discovery learner had images of cosine .95 with 30 % noise, its linear
-and replay ones of cosine .8 with 5 %.
+In the abstract task every action that can succeed does, and a histogram is one of two
+made-up ones with noise in each bin: of cosine .95 with 30 % noise for its discovery
+learner, of cosine .8 with 5 % for its linear and replay ones. The recorded one has what
+{pictures} presentations led to in simulated contact, and pictures that a camera saw:
+{found}.
 """
 
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from prospect_mj.experiment.development.report.abstract_numbers import (
+    ABSTRACT,
     COMPARED,
     Compared,
     Key,
@@ -17,30 +18,36 @@ from prospect_mj.experiment.development.study import abstract_rows, learners
 from prospect_mj.experiment.development.study.abstract_rows import (
     BOTH,
     CHANGES,
+    LOOKS,
     NOTHING,
     Change,
 )
+from prospect_mj.experiment.development.study.ideal_outcomes import IdealOutcomes
 from prospect_mj.experiment.development.study.measured import Measured
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.experiment.paper.report.markdown import table
 
+_OUTCOMES = """\
+The outcomes: of {recorded} in the recording {unlike} differ from the abstract task's in
+who holds the jar, or in whether it is inserted{so}.
+"""
+
 _ASKED = """\
-The four learners on the recorded task with a thing of the abstract one, {runs} runs a
-row. *Made-up pictures*: two prototypes with the cosine and the noise that the abstract
-task had for this learner, on recorded outcomes. *The other reading*: linear features
-that have the histogram itself only where no hand holds the jar (`one_hot`); the
-abstract task's description leaves its reading open. **Bold**: the change brings the
-number to the abstract one, so that it differs no more and lies beyond the recorded
-interval. *-*: the learner does not know of it.
+Pictures and features: the four learners on recorded outcomes with a thing of the
+abstract task, {runs} runs a row. *Made-up pictures*: two prototypes with the cosine and
+the noise that the abstract task had for this learner. *The other reading*: linear
+features that have the histogram itself only where no hand holds the jar (`one_hot`);
+which reading the abstract task had is not told. **Bold**: with this the number differs
+no more from the abstract one, and lies beyond the recorded interval. *-*: the learner
+does not know of it.
 """
 
 _ALL = """\
-A reason why one number differs should leave the others as they are. Numbers that differ
+A reason why one number differs should leave those alone that agree. Numbers that differ
 from the abstract ones, of {n} for each learner:
 """
 
 _COMES = "it comes to the abstract number"
-_LEFT = "what is left are the outcomes, and what of the abstract task is not told"
 
 
 class _Rows(NamedTuple):
@@ -53,6 +60,12 @@ class _Rows(NamedTuple):
         """Those of the part learners."""
         rows = [*(one.measured for one in results.learners), *results.towards_abstract]
         return cls({(one.row.name, one.row.rule, one.row.world): one for one in rows})
+
+    @property
+    def asked(self) -> list[Key]:
+        """Rows without changes that have an abstract one, of who knows of a change."""
+        kept = {(name, rule) for name, rule, _ in self.by_key}
+        return [key for key in ABSTRACT if key in kept and key[0] in LOOKS]
 
     def find(self, key: Key, change: Change) -> Measured:
         """The row of a learner with what it knows of a change."""
@@ -78,11 +91,16 @@ def reasons(results: Results, compared: Mapping[Key, Measured]) -> Iterator[str]
         return
     rows = _Rows.of(results)
     yield "### Why they differ"
+    yield _outcomes(results.outcomes)
     yield _ASKED.format(runs=results.settings.fewer_runs).rstrip()
     yield _table(rows, differing)
-    yield "\n".join(f"- {_reason(rows, each, key)}" for each, key in differing)
+    left = _left(results.outcomes)
+    yield "\n".join(
+        f"- *{each.title}* of *{', '.join(key)}*: {_because(rows, each, key, left)}."
+        for each, key in differing
+    )
     yield _ALL.format(n=len(COMPARED)).rstrip()
-    yield _counts(rows, compared)
+    yield _counts(rows)
     yield command(results, "learners")
 
 
@@ -106,19 +124,13 @@ def _cell(rows: _Rows, each: Compared, key: Key, change: Change) -> str:
     return f"**{words}**" if brought else words
 
 
-def _reason(rows: _Rows, each: Compared, key: Key) -> str:
-    return f"*{each.title}* of *{', '.join(key)}*: {_because(rows, each, key)}."
-
-
-def _because(rows: _Rows, each: Compared, key: Key) -> str:
+def _because(rows: _Rows, each: Compared, key: Key, left: str) -> str:
     """Which change is the reason, in words."""
     if key[0] not in learners.LEARNERS:
         return "not asked, as it is a control"
-    known = [
-        name for name, change in CHANGES.items() if change.known_to(key[0]) == change
-    ]
+    known = [name for name, one in CHANGES.items() if one.known_to(key[0]) == one]
     if not known:
-        return f"the learner knows neither of pictures nor of features; {_LEFT}"
+        return f"the learner knows neither of pictures nor of features; {left}"
     before = rows.find(key, NOTHING)
     brings = [
         name
@@ -126,20 +138,49 @@ def _because(rows: _Rows, each: Compared, key: Key) -> str:
         if each.brought(key, before, rows.find(key, CHANGES[name]))
     ]
     if not brings:
-        return f"none of these changes brings it to the abstract number; {_LEFT}"
-    alone = [name for name in brings if name != BOTH]
-    if not alone:
-        return f"with both changes {_COMES}, with neither alone"
+        return f"with none of these {_COMES}; {left}"
+    alone = [name for name in brings if name != BOTH] or brings
     without = ", though not with both" if BOTH in set(known) - set(brings) else ""
-    return f"with {' or with '.join(alone)} {_COMES}{without}"
+    upset = "".join(_upset(rows, name) for name in alone)
+    return f"with {' or with '.join(alone)} {_COMES}{without}{upset}"
 
 
-def _counts(rows: _Rows, compared: Mapping[Key, Measured]) -> str:
-    keys = [key for key in compared if key[0] in abstract_rows.LOOKS]
+def _upset(rows: _Rows, name: str) -> str:
+    """Which learners a change takes away from the abstract numbers, in words."""
+    change = CHANGES[name]
+    others = [
+        f"*{', '.join(key)}*"
+        for key in rows.asked
+        if any(
+            each.differs(key, rows.find(key, change))
+            and not each.differs(key, rows.find(key, NOTHING))
+            for each in COMPARED
+        )
+    ]
+    if not others:
+        return ""
+    return (
+        f"; against {name} speaks that numbers of {' and '.join(others)} then differ "
+        "which agree as recorded"
+    )
+
+
+def _outcomes(found: IdealOutcomes) -> str:
+    so = "" if found.unlike else ", so that they are no reason"
+    unlike = found.unlike or "none"
+    return _OUTCOMES.format(recorded=found.recorded, unlike=unlike, so=so).rstrip()
+
+
+def _left(found: IdealOutcomes) -> str:
+    outcomes = "the outcomes, and " if found.unlike else ""
+    return f"what is left is {outcomes}what of the abstract task is not told"
+
+
+def _counts(rows: _Rows) -> str:
     changes = {"recorded": NOTHING, **CHANGES}
     lines = [
         (*key, *(str(_differing(rows, key, one)) for one in changes.values()))
-        for key in keys
+        for key in rows.asked
     ]
     return table(("learner", "rule", *changes), lines)
 

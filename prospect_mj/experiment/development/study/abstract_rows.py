@@ -1,8 +1,8 @@
 """Learners on the recorded task with one thing of the abstract task that came before.
 
-What can be changed are the pictures, and the reading of the linear features, which the
-abstract task's description leaves open ("Development feasibility"); what remains are
-the outcomes. A change is made only of learners that know of it.
+What is changed are the pictures, and the reading of the linear features, which the
+abstract task's description leaves open ("Development feasibility"). A change is made
+only of learners that know of it.
 """
 
 from collections.abc import Iterator, Mapping

@@ -1,19 +1,24 @@
 """Recorded outcomes with made-up pictures, as the abstract task had them.
 
 Each orientation has a prototype, a non-negative histogram, and both have a given
-cosine. A presentation has that of its orientation, each bin times 1 + noise x a normal
+cosine. A picture is that of its orientation, each bin times 1 + noise x a normal
 number, not below zero ("Development feasibility", section 1). Prototypes are bumps at
 mirrored places, mixed so far that they have the cosine; the feasibility study found
 that their shape does not matter.
+
+The abstract task drew noise in every trial. So each presentation is there many times,
+with as many pictures: a run draws the same outcomes as without, and hardly any picture
+twice.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.agent.features import N_BINS
 from prospect_mj.checks import check_number
+from prospect_mj.recording.arrays import Presentations
 from prospect_mj.recording.hands import LEFT
 from prospect_mj.recording.recording import Recording
 
@@ -23,6 +28,8 @@ _CENTRE, _WIDTH = 30.0, 12.0
 """Of the darker bump [bins]."""
 _LEAST = 0.08
 """Cosine [1], a little above that of the bumps."""
+_PICTURES = 20
+"""Of each presentation."""
 _COUNTS = 1_000_000
 """Pixels of a prototype: so many that whole counts add no noise of their own."""
 
@@ -54,18 +61,25 @@ class MadeUp:
         return mixed / np.linalg.norm(mixed, axis=1, keepdims=True)
 
     def presented(self, recording: Recording, rng: np.random.Generator) -> Recording:
-        """The same presentations and outcomes, looking otherwise.
+        """The same outcomes, looking otherwise; each presentation twenty times.
 
         Args:
             recording: whose presentations they are.
             rng: draws the noise.
         """
-        shown = recording.presentations
+        shown = _often(recording.presentations)
         pictures = self.prototypes()[shown.lid - LEFT]
         pictures *= np.maximum(1 + rng.normal(0.0, self.noise, pictures.shape), 0.0)
         counts = _COUNTS * pictures / pictures.sum(axis=1, keepdims=True)
         histogram = np.rint(counts).astype(np.int64)
         return replace(recording, presentations=replace(shown, histogram=histogram))
+
+
+def _often(shown: Presentations) -> Presentations:
+    """Each presentation many times, one after the other."""
+    arrays = {field.name: getattr(shown, field.name) for field in fields(shown)}
+    often = {name: np.repeat(array, _PICTURES, 0) for name, array in arrays.items()}
+    return Presentations(**often)
 
 
 def _bumps() -> Floats:

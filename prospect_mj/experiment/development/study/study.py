@@ -15,6 +15,7 @@ from prospect_mj.experiment.development.study import (
     causal,
     found,
     haptic_rows,
+    ideal_outcomes,
     learners,
     looks,
     measured,
@@ -102,7 +103,9 @@ class Study:
 
     def _towards_abstract(self, first: int) -> None:
         """Rows of the part learners from number `first`."""
-        made = abstract_rows.worlds(self._recordings.standard, self._settings)
+        recording = self._recordings.standard
+        self._results.outcomes = ideal_outcomes.compare(recording)
+        made = abstract_rows.worlds(recording, self._settings)
         for number, row in enumerate(abstract_rows.rows(self._settings), first):
             made_up = row.world == abstract_rows.MADE_UP
             world = made[row.settings.learner.name] if made_up else None

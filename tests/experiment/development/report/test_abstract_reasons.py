@@ -11,6 +11,7 @@ from prospect_mj.experiment.development.report.abstract_numbers import (
 )
 from prospect_mj.experiment.development.report.abstract_reasons import reasons
 from prospect_mj.experiment.development.study import abstract_rows, learners
+from prospect_mj.experiment.development.study.ideal_outcomes import IdealOutcomes
 from prospect_mj.experiment.development.study.measured import Measured, Shown
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.experiment.development.study.settings import Extent
@@ -19,7 +20,7 @@ from prospect_mj.experiment.paper.measures.bootstrap import Interval
 REPLAY, DISCOVERY = ("replay", "suppressed"), ("discovery", "allowed")
 PICTURES, READING, BOTH = abstract_rows.CHANGES.values()
 COMES = "it comes to the abstract number"
-LEFT = "what is left are the outcomes"
+NONE = f"with none of these {COMES}"
 
 
 def sharp(number):
@@ -32,14 +33,16 @@ def measured(row, key, numbers):
     return Measured(row, 20, said | numbers, ABSTRACT[key].order)
 
 
-def told(recorded, changed):
+def told(recorded, changed, unlike=0):
     """The section.
 
     Args:
         recorded: by learner and rule, numbers that are unlike the abstract ones.
         changed: the same, by learner, rule and change.
+        unlike: outcomes of 500.
     """
     made = Results(SETTINGS, Extent(("learners",)))
+    made.outcomes = IdealOutcomes(500, unlike)
     for row in learners.rows(SETTINGS):
         key = row.name, row.rule
         if key in ABSTRACT:
@@ -101,12 +104,12 @@ def test_a_learner_that_reads_no_features_has_its_pictures():
     [
         (
             (130, 120, 140),
-            f"none of these changes brings it to the abstract number; {LEFT}",
+            NONE,
         ),
-        ((130, 120, 100), f"with both changes {COMES}, with neither alone"),
+        ((130, 120, 100), f"with both {COMES}."),
         ((100, 100, 100), f"with made-up pictures or with the other reading {COMES}."),
         ((100, 120, 120), f"with made-up pictures {COMES}, though not with both"),
-        ((40, 60, 70), "none of these changes"),
+        ((40, 60, 70), NONE),
     ],
 )
 def test_changes_alone_are_told_from_both_together(found, words):
@@ -115,10 +118,10 @@ def test_changes_alone_are_told_from_both_together(found, words):
 
 def test_a_wider_interval_alone_is_no_reason():
     wide = early(120, 90, 140)
-    assert "none of these changes" in reason(replay(wide, wide, wide))
+    assert NONE in reason(replay(wide, wide, wide))
     inside = early(125, 100, 140)
     recorded = early(130, 120, 140)
-    assert "none of these changes" in reason(replay(inside, inside, inside, recorded))
+    assert NONE in reason(replay(inside, inside, inside, recorded))
 
 
 def test_what_is_not_there_is_brought_by_being_there():
@@ -129,7 +132,10 @@ def test_what_is_not_there_is_brought_by_being_there():
 
 
 def test_a_table_sees_neither_and_of_controls_nothing_was_asked():
-    for name, words in (("table", LEFT), ("table, copied habit", "not asked")):
+    for name, words in (
+        ("table", "neither of pictures nor of features"),
+        ("table, copied habit", "not asked"),
+    ):
         text = told({(name, "suppressed"): {"late_gone": sharp(300)}}, {})
         assert words in reason(text)
         assert text.count("| 300 (300 to 300) | - | - | - |") == 1
@@ -142,6 +148,35 @@ def test_it_is_told_what_a_change_does_to_the_other_numbers():
     assert "| replay | allowed | 0 | 0 | 0 | 0 |" in text
     counted = text.partition("of 6 for each learner")[2]
     assert "| table |" not in counted
+
+
+def test_a_change_that_takes_others_away_is_spoken_against():
+    key = "linear", "suppressed"
+    wrong = {"easy_worst": sharp(0.4)}
+    found = {(REPLAY, READING): early(100), (key, READING): wrong}
+    words = (
+        f"with the other reading {COMES}, though not with both; against the other "
+        "reading speaks that numbers of *linear, suppressed* then differ"
+    )
+    assert words in reason(told({REPLAY: early(120)}, found))
+    # One that differs as recorded already is not taken away by the change.
+    text = told({REPLAY: early(120), key: wrong}, found)
+    (line,) = [one for one in text.splitlines() if one.startswith("- *early gone*")]
+    assert "speaks" not in line
+
+
+@pytest.mark.parametrize(
+    ("unlike", "words", "left"),
+    [
+        (0, "none differ", "what is left is what of the abstract"),
+        (7, "500 in the recording 7 differ", "what is left is the outcomes, and what"),
+    ],
+)
+def test_outcomes_are_a_reason_only_where_some_differ(unlike, words, left):
+    text = told({REPLAY: early(120)}, {}, unlike)
+    assert words in text
+    assert ("no reason" in text) == (unlike == 0)
+    assert left in reason(text)
 
 
 def test_what_the_abstract_task_does_not_tell_never_differs():

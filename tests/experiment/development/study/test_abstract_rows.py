@@ -6,16 +6,24 @@ from itertools import product
 import numpy as np
 import pytest
 import small_study
+from ideal_recording import clumsy, ideal
+from ideal_recording import recording as made_by_hand
 
 from prospect_mj.errors import InvalidValue
-from prospect_mj.experiment.development.study import abstract_rows, learners, looks
+from prospect_mj.experiment.development.study import (
+    abstract_rows,
+    ideal_outcomes,
+    learners,
+    looks,
+)
 from prospect_mj.experiment.development.study.abstract_rows import (
     CHANGES,
     MADE_UP,
     NOTHING,
 )
 from prospect_mj.experiment.development.study.made_up import MadeUp
-from prospect_mj.experiment.development.study.settings import StudySettings
+from prospect_mj.experiment.development.study.settings import DOMINANT, StudySettings
+from prospect_mj.experiment.populations.programme import Programme
 from prospect_mj.recording.hands import LEFT, NUMBERS
 from prospect_mj.recording.worlds import STANDARD
 
@@ -28,7 +36,7 @@ FAITHFUL = [MadeUp(*given) for given in product((0.08, 0.8, 0.95, 1), (0, 0.3))]
 def recording():
     """Many presentations of both orientations, of which only the lid matters."""
     standard = small_study.recordings().standard
-    lid = np.tile(np.array([*NUMBERS.values()], np.int8), 400)
+    lid = np.tile(np.array([*NUMBERS.values()], np.int8), 20)
     return replace(standard, presentations=replace(standard.presentations, lid=lid))
 
 
@@ -110,9 +118,43 @@ def test_only_pictures_are_made_up():
     recording = small_study.recordings().standard
     made = abstract_rows.worlds(recording, STUDY)["replay"].recording
     assert made.nodes is recording.nodes
-    assert made.presentations.root is recording.presentations.root
-    assert made.presentations.histogram.dtype == np.int64
-    assert (made.presentations.histogram != recording.presentations.histogram).any()
+    usual, other = recording.presentations, made.presentations
+    for name in ("root", "lid", "number", "look", "depth"):
+        alike = getattr(other, name).reshape(len(usual.lid), -1)
+        assert (alike == getattr(usual, name)[:, None]).all()
+    assert other.histogram.dtype == usual.histogram.dtype
+
+
+def test_a_trial_has_its_outcomes_and_a_picture_of_its_own():
+    recording = small_study.recordings().standard
+    made = abstract_rows.worlds(recording, STUDY)["linear"]
+    row = replace(ROWS[0].settings, runs=1)
+    runs = [Programme(one, DOMINANT, row).run(0) for one in (recording, made)]
+    usual, other = (run.trials for run in runs)
+    assert (usual.root == other.root).all()
+    assert (runs[0].lid == runs[1].lid).all()
+    assert len(set(usual.image)) == 4
+    assert len(set(other.image)) > 60
+    assert len(np.unique(other.visual, axis=0)) == len(other.visual)
+
+
+@pytest.mark.parametrize(("kind", "unlike"), [(ideal, False), (clumsy, True)])
+def test_outcomes_unlike_the_abstract_ones_are_counted(kind, unlike):
+    made = made_by_hand(depth=4, left=(ideal, kind), right=(ideal,))
+    known = (made.nodes.child >= 0) & ~made.nodes.inserted[:, None]
+    found = ideal_outcomes.compare(made)
+    assert found.recorded == known.sum()
+    # A clumsy swap leaves the jar where it is: all of them, and nothing else.
+    assert found.unlike == (made.nodes.result == "not_grasped").sum()
+    assert (found.unlike > 0) == unlike
+
+
+def test_an_insertion_that_should_fail_is_unlike():
+    made = made_by_hand(depth=2, left=(small_study.lid_first,), right=(ideal,))
+    nodes = made.nodes
+    wrong = nodes.inserted.sum() // 2
+    found = ideal_outcomes.compare(made)
+    assert found.unlike == 2 * wrong
 
 
 def test_equal_seeds_make_equal_pictures():

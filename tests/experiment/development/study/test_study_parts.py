@@ -125,8 +125,8 @@ def test_tables_have_what_was_measured(done):
     (found,) = [
         row
         for row in rows
-        if (row["part"], row["name"], row["rule"], row["measure"])
-        == ("learners", "replay", "allowed", "dominance")
+        if (row["part"], row["name"], row["rule"], row["world"], row["measure"])
+        == ("learners", "replay", "allowed", "standard", "dominance")
     ]
     (told,) = [
         one
