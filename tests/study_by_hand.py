@@ -17,6 +17,7 @@ from prospect_mj.experiment.development.haptics.haptics import (
 from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY, END
 from prospect_mj.experiment.development.measures.development import Development
 from prospect_mj.experiment.development.study import (
+    abstract_rows,
     after,
     causal,
     haptic_rows,
@@ -27,6 +28,7 @@ from prospect_mj.experiment.development.study import (
 )
 from prospect_mj.experiment.development.study import population as spread
 from prospect_mj.experiment.development.study.found import CHOICE, Found, Range, Says
+from prospect_mj.experiment.development.study.ideal_outcomes import IdealOutcomes
 from prospect_mj.experiment.development.study.measured import Measured, Shown, Told
 from prospect_mj.experiment.development.study.results import Results, Single
 from prospect_mj.experiment.development.study.settings import Extent
@@ -130,6 +132,10 @@ def results(extent=EXTENT, settings=SETTINGS):
             made.learners.append(told(row, kind))
             if row.rule == "suppressed" and row.name in learners.LEARNERS:
                 made.singles.append(Single(row, runs(kind)))
+        made.outcomes = IdealOutcomes(500, 0)
+        made.towards_abstract = [
+            shown(row, "infant").measured for row in abstract_rows.rows(settings)
+        ]
     if "causal" in parts:
         made.causal = [causal_row(row) for row in causal.rows(settings)]
     if "population" in parts:

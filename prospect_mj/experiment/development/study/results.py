@@ -9,6 +9,7 @@ import pyarrow as pa
 from prospect_mj.experiment.development.haptics.haptics import HapticResults
 from prospect_mj.experiment.development.rivals.rivals import RivalResults
 from prospect_mj.experiment.development.study.found import Found
+from prospect_mj.experiment.development.study.ideal_outcomes import IdealOutcomes
 from prospect_mj.experiment.development.study.measured import Measured, Shown, Told
 from prospect_mj.experiment.development.study.rows import Row
 from prospect_mj.experiment.development.study.settings import Extent, StudySettings
@@ -30,6 +31,10 @@ class Results:
     extent: Extent
     learners: list[Told] = field(default_factory=list)
     """Every learner under both rules, controls among them."""
+    towards_abstract: list[Measured] = field(default_factory=list)
+    """The four learners with a thing of the abstract task (`abstract_rows`)."""
+    outcomes: IdealOutcomes | None = None
+    """Recorded ones beside those of the abstract task."""
     singles: list[Single] = field(default_factory=list)
     """The four learners, failed actions being suppressed."""
     causal: list[Measured] = field(default_factory=list)

@@ -10,10 +10,12 @@ from prospect_mj.experiment.development.haptics.settings import HapticSettings
 from prospect_mj.experiment.development.rivals import rivals
 from prospect_mj.experiment.development.rivals.settings import RivalSettings
 from prospect_mj.experiment.development.study import (
+    abstract_rows,
     after,
     causal,
     found,
     haptic_rows,
+    ideal_outcomes,
     learners,
     looks,
     measured,
@@ -90,12 +92,25 @@ class Study:
         return self._laboratory.unused()
 
     def _learners(self) -> None:
-        for number, row in enumerate(learners.rows(self._settings)):
+        rows = learners.rows(self._settings)
+        for number, row in enumerate(rows):
             learned = self._laboratory.learned(row)
             rng = self._settings.rng(PARTS.index("learners"), number)
             self._results.learners.append(measured.told(row, learned, rng))
             if row.rule == "suppressed" and row.name in learners.LEARNERS:
                 self._results.singles.append(Single(row, learned))
+        self._towards_abstract(len(rows))
+
+    def _towards_abstract(self, first: int) -> None:
+        """Rows of the part learners from number `first`."""
+        recording = self._recordings.standard
+        self._results.outcomes = ideal_outcomes.compare(recording)
+        made = abstract_rows.worlds(recording, self._settings)
+        for number, row in enumerate(abstract_rows.rows(self._settings), first):
+            made_up = row.world == abstract_rows.MADE_UP
+            world = made[row.settings.learner.name] if made_up else None
+            shown = self._shown(row, number, world=world)
+            self._results.towards_abstract.append(shown.measured)
 
     def _causal(self) -> None:
         rows = causal.rows(self._settings)

@@ -23,8 +23,9 @@ def tables(results: Results) -> dict[str, pa.Table]:
     made = {}
     curves = [*results.learners, *results.population]
     curves += [*results.worlds, *results.change, *results.touches]
-    if measured := [*_measured(curves), *results.causal]:
-        made[MEASURED] = measured_table(measured)
+    numbers = [*_measured(curves), *results.causal, *results.towards_abstract]
+    if numbers:
+        made[MEASURED] = measured_table(numbers)
     if curves:
         made[SHARES] = shares_table((one.row, one.development) for one in curves)
     if told := [*results.learners, *results.population]:

@@ -18,7 +18,7 @@ from prospect_mj.experiment.development.claims.claims import (
 from prospect_mj.experiment.development.figures import pictures
 from prospect_mj.experiment.development.measures.ages import AGES
 from prospect_mj.experiment.development.measures.measures import MEASURES
-from prospect_mj.experiment.development.report.abstract import ABSTRACT
+from prospect_mj.experiment.development.report.abstract_numbers import ABSTRACT
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.report.opening import answer
 from prospect_mj.experiment.development.report.report import Made, report
@@ -228,8 +228,18 @@ def test_the_abstract_task_is_told_of_learners_that_there_are():
     assert {rule for _, rule in ABSTRACT} == {"allowed", "suppressed"}
 
 
+def test_it_is_told_why_the_tasks_differ(whole):
+    section = whole.partition("\n### Why they differ")[2].partition("\n## ")[0]
+    # Each number in bold of the table before has its reason.
+    bold = whole.partition("differs from the abstract one")[2].partition("\n##")[0]
+    numbers = sum(line.count("** |") for line in bold.splitlines())
+    assert numbers == len(lines_of(section, "- *")) > 10
+    assert "of 500 in the recording none differ" in section
+    assert lines_of(section, "Made by `prospect development --parts learners")
+
+
 def test_what_differs_from_the_abstract_task_is_marked(whole):
-    section = whole.partition("differs from the abstract one")[2].partition("\n## ")[0]
+    section = whole.partition("differs from the abstract one")[2].partition("\n##")[0]
     (line,) = lines_of(section, "| discovery | suppressed |")
     cells = line.strip("| ").split(" | ")[2:]
     # Late ones 80 there and 60 here: more than a block apart. Early: 210 and 140.

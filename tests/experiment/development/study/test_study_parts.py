@@ -13,6 +13,7 @@ from prospect_mj.experiment.development.claims.findings import Findings
 from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY, END
 from prospect_mj.experiment.development.measures.measures import MEASURES
 from prospect_mj.experiment.development.study import (
+    abstract_rows,
     after,
     causal,
     haptic_rows,
@@ -30,7 +31,8 @@ from prospect_mj.experiment.run.learning_curve import BLOCK
 from prospect_mj.recording.hands import LEFT, RIGHT
 
 EXTENT = Extent(("learners", "worlds", "change"), ("standard", "noisy"), ("post",))
-N_ROWS = 8 + 2 * 3 + 4
+N_TOWARDS = 2 * (3 + 3 + 1)
+N_ROWS = 8 + N_TOWARDS + 2 * 3 + 4
 SETTINGS = small_study.SETTINGS
 
 
@@ -73,6 +75,7 @@ def test_all_rows_are_there(done):
     assert len(results.learners) == 8
     assert [one.row.name for one in results.singles] == list(learners.LEARNERS)
     assert {one.row.rule for one in results.singles} == {"suppressed"}
+    assert len(results.towards_abstract) == N_TOWARDS
     assert len(results.worlds) == 6
     assert len(results.change) == 4
     assert results.causal == []
@@ -92,6 +95,28 @@ def test_worlds_and_changes_are_told_from_each_other(done):
         assert one.measured.measured["easy_errors"].estimate > 0.2
 
 
+def test_a_thing_of_the_abstract_task_is_all_that_is_changed(done):
+    _, results, _ = done
+    names = {(one.row.name, one.row.rule): one.measured for one in results.learners}
+    found = {
+        abstract_rows.key(name, rule, change): (change, names[name, rule])
+        for name, rule in names
+        for change in abstract_rows.CHANGES.values()
+        if change == change.known_to(name)
+    }
+    assert len(found) == N_TOWARDS
+    for one in results.towards_abstract:
+        change, usual = found[one.row.name, one.row.rule, one.row.world]
+        assert one.runs == SETTINGS.fewer_runs
+        assert change != abstract_rows.NOTHING
+        assert list(one.measured)[: len(MEASURES)] == list(usual.measured)
+    # Who sees other pictures learns otherwise.
+    rows = {(one.row.name, one.row.world): one for one in results.towards_abstract}
+    one_hot = rows["linear, one_hot", "standard"].measured
+    assert one_hot != rows["linear, one_hot", "made-up"].measured
+    assert one_hot != rows["linear", "made-up"].measured
+
+
 def test_tables_have_what_was_measured(done):
     _, results, _ = done
     made = tables(results)
@@ -100,8 +125,8 @@ def test_tables_have_what_was_measured(done):
     (found,) = [
         row
         for row in rows
-        if (row["part"], row["name"], row["rule"], row["measure"])
-        == ("learners", "replay", "allowed", "dominance")
+        if (row["part"], row["name"], row["rule"], row["world"], row["measure"])
+        == ("learners", "replay", "allowed", "standard", "dominance")
     ]
     (told,) = [
         one
