@@ -23,8 +23,8 @@ class Observation(NamedTuple):
     haptic: int
     """Number of the haptic state (`agent.haptics`)."""
     orientation: int
-    """Side of the lid: 0 left, 1 right. It can't be observed: only `TableQ` reads it,
-    as a learner that is told."""
+    """Side of the lid: 0 left, 1 right. It can't be observed: only learners that are
+    told read it, `TableQ` and a `DiscoveryQ` with forced splits."""
 
     @classmethod
     def of(cls, features: NDArray[np.float64], orientation: int = NOT_TOLD) -> Self:
