@@ -43,7 +43,7 @@ class Population:
     first_hand: NDArray[np.int8]
     """(runs, trials): hand of the first executed grasp, LEFT or RIGHT; NONE where there
     was no grasp."""
-    splits: NDArray[np.int16]
+    splits: NDArray[np.int32]
     """(runs, h, 6): the trial in which each context, a haptic state and an action, was
     first split by a feature; -1 where it never was, as with all other learners."""
 
@@ -70,7 +70,7 @@ class Learned(NamedTuple):
     """(n_trials, max_actions): whether it was run."""
     inserted: NDArray[np.bool_]
     """(n_trials, max_actions): whether it left the jar in the receptacle."""
-    splits: NDArray[np.int16]
+    splits: NDArray[np.int32]
     """(h, 6): the trial in which each context was first split, or -1."""
     learner: Learner
     """As it is in the end."""
@@ -80,7 +80,7 @@ class Learned(NamedTuple):
         """What a run came to."""
         done = walked.outcomes
         ran = _what_ran(graph, run.trials, done)
-        splits = walked.splits.astype(np.int16)
+        splits = walked.splits.astype(np.int32)
         results = done.n_actions, done.solved, done.action
         return cls(run.lid, run.inserts, *results, *ran, splits, run.learner)
 
@@ -91,7 +91,7 @@ class Learned(NamedTuple):
         n_actions = np.full(len(run.lid), max_actions, np.int8)
         solved, action = np.zeros(len(run.lid), np.bool_), np.full(shape, -1, np.int8)
         executed, inserted = np.zeros((2, *shape), np.bool_)
-        splits = np.full((n_haptic, len(ACTION_NAMES)), -1, np.int16)
+        splits = np.full((n_haptic, len(ACTION_NAMES)), -1, np.int32)
         results = n_actions, solved, action, executed, inserted
         return cls(run.lid, run.inserts, *results, splits, run.learner)
 

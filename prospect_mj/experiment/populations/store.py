@@ -14,10 +14,9 @@ from pathlib import Path
 
 import numpy as np
 import pyarrow as pa
-from pyarrow.lib import ArrowException
 
 from prospect_mj import tables
-from prospect_mj.errors import ForeignTable, RunFolderError
+from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.populations.digests import code, world_digest
 from prospect_mj.experiment.populations.population import Population, run_population
 from prospect_mj.experiment.populations.scenario import PopulationSettings, Scenario
@@ -38,7 +37,7 @@ _SCHEMA = pa.schema(
         "solved": pa.bool_(),
         "strategy": pa.int8(),
         "first_hand": pa.int8(),
-        "splits": pa.list_(pa.int16()),
+        "splits": pa.list_(pa.int32()),
         "seconds": pa.float32(),
         "jobs": pa.int16(),
     }
@@ -115,7 +114,7 @@ class Store:
         path = self._folder / f"{kind}-{digest[:16]}.parquet"
         self._used.add(path)
         if path.exists():
-            return _kept(_read(path, digest), scenario)
+            return _kept(tables.read_kept(path, _SCHEMA, digest), scenario)
         began, given = time.perf_counter(), (self._world, scenario, settings)
         learned = run_population(*given, self._jobs, then, tick)
         kept = Kept(learned, time.perf_counter() - began, self._jobs)
@@ -152,22 +151,11 @@ def _rows(kept: Kept) -> pa.Table:
     return pa.table({name: rows[name] for name in _SCHEMA.names}, schema=_SCHEMA)
 
 
-def _read(path: Path, digest: str) -> pa.Table:
-    try:
-        return tables.read(path, _SCHEMA, digest, of="study")
-    except ForeignTable as error:
-        raise RunFolderError(str(error)) from error
-    except (OSError, ValueError, ArrowException) as error:
-        raise RunFolderError(
-            f"{path} can't be read: it is damaged; move it away and run again"
-        ) from error
-
-
 def _kept(rows: pa.Table, scenario: Scenario) -> Kept:
     """The population of a table."""
     shape = (-1, scenario.all_trials)
     columns = [rows[name].to_numpy().reshape(shape) for name in _KEPT]
     of_runs = rows["splits"].drop_null().to_pylist()
-    splits = np.array(of_runs, np.int16).reshape(len(of_runs), -1, len(ACTION_NAMES))
+    splits = np.array(of_runs, np.int32).reshape(len(of_runs), -1, len(ACTION_NAMES))
     seconds, jobs = rows["seconds"][0].as_py(), rows["jobs"][0].as_py()
     return Kept(Population(scenario, *columns, splits), seconds, jobs, earlier=True)

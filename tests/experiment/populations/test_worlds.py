@@ -207,13 +207,22 @@ def test_only_discovery_splits_contexts(good):
     quick = DiscoverySettings(least_rate=0.05, surprise=0.3, guard_probability=0.1)
     settings = PopulationSettings(runs=4, learner=quick)
     found = run_population(good, Scenario(150), settings)
-    assert found.splits.dtype == np.int16
+    assert found.splits.dtype == np.int32
     assert -1 == found.splits.min() < found.splits.max() < 150
     for kind in KINDS[:-1]:
         plain = run_population(good, Scenario(20), replace(settings, learner=kind()))
         assert (plain.splits == -1).all()
     programme = Programme(good, Scenario(150), settings)
     np.testing.assert_array_equal(learn(programme, 2).splits, found.splits[2])
+
+
+def test_a_late_split_has_the_number_of_its_trial(tmp_path, good):
+    trial = np.iinfo(np.int16).max + 1
+    late = DiscoverySettings(forced_splits=(("insert", trial),), memory=2)
+    scenario, settings = Scenario(trial + 1), PopulationSettings(runs=1, learner=late)
+    for _ in ("learned", "read"):
+        found = Store(tmp_path, good, 1).get(scenario, settings).population
+        assert found.splits[0, 0].tolist() == [-1, -1, -1, -1, trial, trial]
 
 
 def test_worlds_splits_and_spreads_are_kept(tmp_path, good, reversed_world):
