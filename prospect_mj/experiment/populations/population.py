@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Self
+from typing import NamedTuple, Self, TypeVar
 
 import numpy as np
 from joblib import Parallel, delayed
@@ -24,6 +24,8 @@ from prospect_mj.recording.recording import Recording
 
 MOST_JOBS = 1024
 """Threads that may be asked for."""
+
+Looked = TypeVar("Looked")
 
 
 @dataclass(frozen=True)
@@ -139,6 +141,28 @@ def run_population(
     return Population.of(scenario, rows)
 
 
+def look_into(
+    recording: Recording | World,
+    scenario: Scenario,
+    settings: PopulationSettings,
+    look: Callable[[Learner], Looked],
+    jobs: int = 1,
+) -> list[Looked]:
+    """What is seen in the learners themselves when they have ended, run by run.
+
+    Args:
+        recording: as in `run_population`.
+        scenario: what the trials present.
+        settings: of the population.
+        look: sees it; the learner is forgotten afterwards.
+        jobs: threads.
+    """
+    programme = Programme(recording, scenario, settings)
+    return Parallel(n_jobs=jobs, prefer="threads")(
+        delayed(_seen)(programme, number, look) for number in range(settings.runs)
+    )
+
+
 def learn(programme: Programme, number: int, take_over: bool = True) -> Learned:
     """Let one learner of a population learn.
 
@@ -162,6 +186,12 @@ def learn(programme: Programme, number: int, take_over: bool = True) -> Learned:
 
 def _row(programme: Programme, number: int) -> tuple[NDArray, ...]:
     return learn(programme, number, take_over=False).row
+
+
+def _seen(
+    programme: Programme, number: int, look: Callable[[Learner], Looked]
+) -> Looked:
+    return look(learn(programme, number).learner)
 
 
 def _what_ran(

@@ -138,8 +138,7 @@ class Study:
         return measured.measured(row, after.from_the_change(learned), rng, measures)
 
     def _found(self) -> None:
-        self._tell("found: learning once more, and looking into learners")
-        self._results.found = found.find(self._recordings.standard, self._settings)
+        self._results.found = found.find(self._laboratory, self._settings)
 
     def _haptics(self) -> None:
         size = self._settings
