@@ -60,7 +60,7 @@ class Study:
         self._folder, self._settings, self._extent = folder, settings, extent
         self._recordings, self._jobs, self._tell = recordings, jobs, tell
         self._laboratory = Laboratory(folder, recordings, jobs, tell)
-        self._results = Results(settings, extent)
+        self._results = Results(settings, extent, recordings.path, recordings.folder)
 
     def results(self) -> Results:
         """Make all parts, or read them."""
