@@ -319,3 +319,9 @@ def test_settings_say_what_is_wrong_with_forced_splits(splits):
 
 def test_pictures_of_the_two_kinds_have_nothing_in_common():
     assert visual(DARK) @ visual(BRIGHT) == 0
+
+
+@pytest.mark.parametrize("name", ["share_first", "expert_phase"])
+def test_what_finds_features_is_refused_where_splits_are_forced(name):
+    with pytest.raises(InvalidValue, match=f"{name} is True; expected false with for"):
+        DiscoverySettings(forced_splits=(("insert", 3),), **{name: True})

@@ -9,7 +9,7 @@ from ideal_recording import clumsy, ideal, one_handed, recording
 
 from prospect_mj.agent import (
     DiscoverySettings,
-    LearnerSettings,
+    LinearSettings,
     ReplaySettings,
     TableSettings,
 )
@@ -23,7 +23,7 @@ from prospect_mj.experiment.populations.strategies import Strategy
 from prospect_mj.experiment.populations.world import World
 from prospect_mj.recording.hands import LEFT, RIGHT
 
-KINDS = (LearnerSettings, ReplaySettings, TableSettings, DiscoverySettings)
+KINDS = (LinearSettings, ReplaySettings, TableSettings, DiscoverySettings)
 FEW = ("lid", "n_actions", "solved", "strategy", "first_hand")
 
 
@@ -134,7 +134,7 @@ def test_every_learner_draws_its_own_parameters(good):
 
 
 def test_what_is_drawn_for_parameters_leaves_all_else_as_it_is(good):
-    settings = PopulationSettings(learner=LearnerSettings())
+    settings = PopulationSettings(learner=LinearSettings())
     spread = replace(settings, spread=(Spread("step_size", 0.001, 0.01),))
     plain, own = (
         Programme(good, Scenario(20), each).run(3) for each in (settings, spread)

@@ -89,7 +89,7 @@ class StudySettings:
 class Extent:
     """How much of the study is made, or read where it was made before."""
 
-    parts: tuple[str, ...] = PARTS
+    parts: tuple[Part, ...] = PARTS
     """learners, causal, population, worlds, change, found, haptics, rivals."""
     worlds: tuple[str, ...] = IMAGE_WORLDS
     """Worlds of the part worlds."""

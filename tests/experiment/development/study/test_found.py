@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 from prospect_mj.actions.action import Action
-from prospect_mj.agent import DiscoverySettings, LearnerSettings, LinearQ
+from prospect_mj.agent import DiscoverySettings, LinearQ, LinearSettings
 from prospect_mj.agent.discovery import DiscoveryQ
 from prospect_mj.agent.discovery.detector import BETTER, Detector, likelier_class
 from prospect_mj.agent.discovery.feature import Feature, cumulative
@@ -92,7 +92,7 @@ def test_a_feature_that_is_as_frequent_in_both_classes_says_nothing():
 
 def linear(left, right):
     """A learner with such weights (100,) of the histogram for grasps by each hand."""
-    learner = LinearQ(LearnerSettings(), rng=np.random.default_rng(0))
+    learner = LinearQ(LinearSettings(), rng=np.random.default_rng(0))
     learner.weights[Action.GRASP_LEFT, :N_BINS] = left
     learner.weights[Action.GRASP_RIGHT, :N_BINS] = right
     return learner
@@ -169,7 +169,7 @@ def test_learners_learn_once_and_are_read_the_same(laboratory, known, monkeypatc
 
 
 def test_learners_are_those_of_the_study():
-    settings = replace(population(small_study.SETTINGS, LearnerSettings()), runs=2)
+    settings = replace(population(small_study.SETTINGS, LinearSettings()), runs=2)
     given = small_study.recordings().standard, DOMINANT, settings
     seen = look_into(*given, lambda one: (one.settings, one.weights.copy()), jobs=2)
     programme = Programme(*given)
