@@ -12,6 +12,7 @@ from prospect_mj.experiment.development.haptics.grasp import (
     Grasp,
 )
 from prospect_mj.recording.hands import GRASPS, LEFT, NONE, RIGHT, SWAPS
+from prospect_mj.recording.recording import Recording
 from prospect_mj.robot.names import SIDES, other
 
 SECONDS = np.array([0.30, 0.32, 0.34])
@@ -43,7 +44,7 @@ def grasps(
     return made
 
 
-def recording() -> SimpleNamespace:
+def recording() -> Recording:
     """Two presentations, lid left and lid right, with all that can follow a grasp.
 
     Each tree: 0 root; 1 left hand grasps; 2 right hand grasps; 3 the left hand's
@@ -66,7 +67,7 @@ def recording() -> SimpleNamespace:
         number=np.zeros(2, np.int32),
     )
     nodes = SimpleNamespace(child=child, **parts)
-    return SimpleNamespace(nodes=nodes, presentations=shown)
+    return Recording(None, nodes, shown, None)
 
 
 def _tree(lid: int) -> SimpleNamespace:

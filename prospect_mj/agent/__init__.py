@@ -9,7 +9,7 @@ from prospect_mj.agent.replay_q import ReplayQ
 from prospect_mj.agent.settings import (
     AnyLearnerSettings,
     DiscoverySettings,
-    LearnerSettings,
+    LinearSettings,
     ReplaySettings,
     TableSettings,
 )
@@ -20,8 +20,8 @@ __all__ = [
     "DiscoverySettings",
     "FeatureSettings",
     "Learner",
-    "LearnerSettings",
     "LinearQ",
+    "LinearSettings",
     "Observation",
     "ReplayQ",
     "ReplaySettings",

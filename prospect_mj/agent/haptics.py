@@ -11,6 +11,8 @@ c_K), and phi = (v, v x each bit, the bits, 1) with the histogram v of 100 bins.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from prospect_mj.errors import InvalidValue
+
 N_BINS = 100
 """Of the histogram."""
 NONE, LEFT, RIGHT = 0, 1, 2
@@ -62,6 +64,19 @@ def holding_of(haptic: int, categories: int) -> int:
 def categories_of(n_states: int) -> int:
     """K, of which there are so many haptic states: the inverse of `n_haptic`."""
     return 0 if n_states == N_HOLDINGS else (n_states - 1) // 2
+
+
+def categories_of_features(length: int) -> int:
+    """K, with which phi is of a length: the inverse of `n_features`.
+
+    Raises:
+        InvalidValue: if no number of categories makes features of this length.
+    """
+    categories, left_over = divmod(length - n_features(0), N_BINS + 1)
+    if categories < 0 or left_over:
+        expected = f"{n_features(0)}, and {N_BINS + 1} more for each haptic category"
+        raise InvalidValue("number of features", length, expected)
+    return categories
 
 
 def haptic_bits(categories: int) -> NDArray[np.bool_]:

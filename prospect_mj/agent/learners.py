@@ -13,7 +13,7 @@ from prospect_mj.agent.replay_q import ReplayQ
 from prospect_mj.agent.settings import (
     AnyLearnerSettings,
     DiscoverySettings,
-    LearnerSettings,
+    LinearSettings,
     ReplaySettings,
     TableSettings,
 )
@@ -22,7 +22,7 @@ from prospect_mj.checks import check_choice, check_names
 
 SETTINGS: Mapping[str, type[AnyLearnerSettings]] = {
     kind.name: kind
-    for kind in (LearnerSettings, ReplaySettings, TableSettings, DiscoverySettings)
+    for kind in (LinearSettings, ReplaySettings, TableSettings, DiscoverySettings)
 }
 """Class of the settings of each learner, by its name."""
 
@@ -48,7 +48,7 @@ def new_learner(
         rng: draws where it starts from; None: from zero.
     """
     match settings:
-        case LearnerSettings():
+        case LinearSettings():
             return LinearQ(settings, rng)
         case ReplaySettings():
             return ReplayQ(settings, rng)

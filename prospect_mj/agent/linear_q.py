@@ -18,7 +18,7 @@ from prospect_mj.agent.choice import (
 )
 from prospect_mj.agent.experience import Step
 from prospect_mj.agent.observation import Observation, Transition
-from prospect_mj.agent.settings import LearnerSettings, ReplaySettings
+from prospect_mj.agent.settings import LinearSettings, ReplaySettings
 from prospect_mj.errors import InvalidValue
 
 _STABLE = "(step size x |features|^2 must stay below 2)"
@@ -35,7 +35,7 @@ class LinearQ:
 
     def __init__(
         self,
-        settings: LearnerSettings | ReplaySettings | None = None,
+        settings: LinearSettings | ReplaySettings | None = None,
         rng: np.random.Generator | None = None,
     ) -> None:
         """Start without experience.
@@ -45,7 +45,7 @@ class LinearQ:
             rng: draws the initial weights; None: they are zero, whatever their
                 deviation in `settings`.
         """
-        self.settings = LearnerSettings() if settings is None else settings
+        self.settings = LinearSettings() if settings is None else settings
         shape = self.settings.n_actions, self.settings.n_features
         self.weights = np.zeros(shape)
         if rng is not None:

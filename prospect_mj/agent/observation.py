@@ -6,8 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.agent import haptics
-from prospect_mj.agent.features import N_BINS, N_FEATURES
-from prospect_mj.errors import InvalidValue
+from prospect_mj.agent.features import N_BINS
 
 NOT_TOLD = -1
 """In place of the orientation, where the learner needs none."""
@@ -23,8 +22,8 @@ class Observation(NamedTuple):
     haptic: int
     """Number of the haptic state (`agent.haptics`)."""
     orientation: int
-    """Side of the lid: 0 left, 1 right. It can't be observed: only `TableQ` reads it,
-    as a learner that is told."""
+    """Side of the lid: 0 left, 1 right. It can't be observed: only learners that are
+    told read it, `TableQ` and a `DiscoveryQ` with forced splits."""
 
     @classmethod
     def of(cls, features: NDArray[np.float64], orientation: int = NOT_TOLD) -> Self:
@@ -40,10 +39,7 @@ class Observation(NamedTuple):
         Raises:
             InvalidValue: if no number of categories makes features of this length.
         """
-        categories, left_over = divmod(len(features) - N_FEATURES, N_BINS + 1)
-        if categories < 0 or left_over:
-            expected = f"{N_FEATURES}, and {N_BINS + 1} more for each haptic category"
-            raise InvalidValue("number of features", len(features), expected)
+        categories = haptics.categories_of_features(len(features))
         bits = features[-3 - categories : -1]
         holding = int(bits[0]) + 2 * int(bits[1])
         visual = features[holding * N_BINS : (holding + 1) * N_BINS]

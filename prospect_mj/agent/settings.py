@@ -18,7 +18,7 @@ _MOST = 1_000_000
 
 
 @dataclass(frozen=True)
-class LearnerSettings:
+class LinearSettings:
     """Parameters of the linear learner; the defaults are the paper's (section 3.2)."""
 
     step_size: float = 0.004
@@ -183,14 +183,12 @@ class DiscoverySettings:
         check_choice("revalue", self.revalue, ("examples", "stored", "inherit"))
         check_choice("labels", self.labels, ("td", "return"))
         check_choice("cache", self.cache, ("surprising", "all"))
-        _check_forced(self.forced_splits)
+        _check_forced(self)
         _check_common(self, "discovery")
         check_integer("number of haptic states", self.n_haptic, 1, _MOST)
 
 
-AnyLearnerSettings = (
-    LearnerSettings | ReplaySettings | TableSettings | DiscoverySettings
-)
+AnyLearnerSettings = LinearSettings | ReplaySettings | TableSettings | DiscoverySettings
 """Of one of the learners."""
 
 
@@ -202,7 +200,7 @@ def _check_common(settings: AnyLearnerSettings, name: str) -> None:
 
 
 def _check_step_and_start(
-    settings: LearnerSettings | ReplaySettings | TableSettings,
+    settings: LinearSettings | ReplaySettings | TableSettings,
 ) -> None:
     check_number("step_size", settings.step_size, 0, 10, above=True)
     check_number("initial_sd", settings.initial_sd, 0, 1000)
@@ -213,10 +211,15 @@ def _check_experience(settings: ReplaySettings | TableSettings) -> None:
     check_integer("buffer", settings.buffer, 1, _MOST)
 
 
-def _check_forced(splits: tuple[tuple[str, int], ...]) -> None:
+def _check_forced(settings: DiscoverySettings) -> None:
+    splits = settings.forced_splits
     groups = [group for group, _ in splits]
     for group, trial in splits:
         check_choice("contexts of a forced split", group, FORCED_GROUPS)
         check_integer("trial of a forced split", trial, 0, _MOST)
     if len(set(groups)) < len(groups):
         raise InvalidValue("forced splits", splits, "one of each kind of contexts")
+    for name in ("share_first", "expert_phase"):
+        if splits and getattr(settings, name):
+            expected = "false with forced_splits, as nothing is discovered then"
+            raise InvalidValue(name, True, expected)

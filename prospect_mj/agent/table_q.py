@@ -61,8 +61,9 @@ class TableQ:
             self.values += rng.normal(0.0, known.initial_sd, shape)
         self.seen = np.zeros(N_ORIENTATIONS, bool)
         self.n_updates = 0
-        capacity = known.buffer if known.replays else 0
-        self._experience = Experience(capacity, 2, known.n_actions, np.int64)
+        self._experience: Experience | None = None
+        if known.replays:
+            self._experience = Experience(known.buffer, 2, known.n_actions, np.int64)
 
     def q_values(self, observation: Observation) -> NDArray[np.float64]:
         """The value of every action: (n_actions,) [actions]."""
@@ -95,14 +96,15 @@ class TableQ:
         self.seen[orientation] = True
         error = self._learn(step)
         self.n_updates += 1
-        if self.settings.replays:
+        if self._experience is not None:
             self._experience.add(step)
             self._experience.replay(self.settings.replays, rng, self._learn)
         return error
 
     def state(self) -> dict[str, NDArray]:
-        """Values, orientations that were seen, number of updates, experience."""
-        return {**self._own(), **self._experience.arrays()}
+        """Values, orientations that were seen, number of updates, any experience."""
+        remembered = {} if self._experience is None else self._experience.arrays()
+        return {**self._own(), **remembered}
 
     def restore(self, state: dict[str, NDArray]) -> None:
         """Take over what `state` gave.
@@ -110,9 +112,13 @@ class TableQ:
         Raises:
             ProspectError: if it is of another learner, or not of finite numbers.
         """
-        own = {name: array for name, array in state.items() if not is_experience(name)}
+        remembered = {}
+        if self._experience is not None:
+            remembered = {n: a for n, a in state.items() if is_experience(n)}
+        own = {name: state[name] for name in state.keys() - remembered.keys()}
         state_arrays.check(own, self._own())
-        self._experience.restore({n: a for n, a in state.items() if is_experience(n)})
+        if self._experience is not None:
+            self._experience.restore(remembered)
         self.values[:], self.seen[:] = own["values"], own["seen"]
         self.n_updates = int(own["n_updates"])
         state_arrays.check_count("number of updates", self.n_updates)
@@ -134,7 +140,13 @@ class TableQ:
         return copy
 
     def correct(self, values: NDArray[np.float64], orientation: int) -> None:
-        """Value the swap to the lid's hand, and the insertion by it, as they are."""
+        """Value the swap to the lid's hand, and the insertion by it, as they are.
+
+        Args:
+            values: (n_haptic, n_actions) [actions], of one orientation; changed in
+                place, but for all other actions.
+            orientation: which, 0 left, 1 right.
+        """
         n_haptic = self.settings.n_haptic
         for haptic in range(1, n_haptic):
             hand = holding_of(haptic, categories_of(n_haptic)) - LEFT

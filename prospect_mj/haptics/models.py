@@ -71,13 +71,6 @@ class TrajectoryModels:
         )
         return norm.logpdf(samples[:, None, :2], mean, deviation).sum(axis=2)
 
-    def chances(self, samples: NDArray[np.float64]) -> NDArray[np.float64]:
-        """(n, K): chance of each model after the first, second, ... of the samples."""
-        from scipy.special import softmax
-
-        evidence = np.cumsum(self.log_likelihoods(samples), axis=0)
-        return softmax(evidence + np.log(self.weight), axis=1)
-
     def write(self, path: Path) -> None:
         """Write them to a JSON file."""
         replace_file(path, f"{json.dumps(asdict(self), indent=2)}\n".encode())

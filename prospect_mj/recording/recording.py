@@ -87,6 +87,10 @@ class Recording:
                 )
         return found
 
+    def presentation_of(self, nodes: NDArray[np.integer]) -> NDArray[np.intp]:
+        """The presentation in whose tree each node is, by number; both are (n,)."""
+        return np.searchsorted(self.presentations.root, nodes, side="right") - 1
+
     def _deepest(self) -> str:
         """How long trials may be for both sides to have a presentation, in words."""
         shown = self.presentations

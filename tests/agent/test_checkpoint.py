@@ -5,7 +5,7 @@ import pytest
 from told import random_steps
 
 from prospect_mj.agent import (
-    LearnerSettings,
+    LinearSettings,
     ReplaySettings,
     TableSettings,
     checkpoint,
@@ -16,7 +16,7 @@ from prospect_mj.errors import InvalidChoice, InvalidValue, UnfitCheckpoint
 from prospect_mj.storage import replace_file
 
 ALL = (
-    LearnerSettings(step_size=0.01, epsilon=0.2),
+    LinearSettings(step_size=0.01, epsilon=0.2),
     ReplaySettings(buffer=20, replays=3),
     TableSettings(copied_habit=True, known_correction=True),
     TableSettings(buffer=20, replays=3),

@@ -5,10 +5,10 @@ from hypothesis import strategies as st
 from scipy.stats import chisquare
 from told import Draws, seen, step
 
-from prospect_mj.agent import LearnerSettings, LinearQ
+from prospect_mj.agent import LinearQ, LinearSettings
 from prospect_mj.errors import InvalidChoice, InvalidValue
 
-SMALL = LearnerSettings(
+SMALL = LinearSettings(
     step_size=0.1, epsilon=0.2, discount=0.9, n_actions=3, n_features=2
 )
 
@@ -26,7 +26,7 @@ def learn(learner, phi, action, next_phi, terminated=False, allowed=None, reward
 
 
 def test_defaults_are_the_papers():
-    settings = LearnerSettings()
+    settings = LinearSettings()
     assert (settings.step_size, settings.epsilon) == (0.004, 0.05)
     assert (settings.discount, settings.n_actions) == (0.99, 6)
     assert settings.n_features == 303
@@ -34,13 +34,13 @@ def test_defaults_are_the_papers():
 
 
 def test_initial_weights_are_drawn_with_the_deviation_asked_for():
-    settings = LearnerSettings(initial_sd=0.3, n_features=20_000)
+    settings = LinearSettings(initial_sd=0.3, n_features=20_000)
     weights = LinearQ(settings, rng=np.random.default_rng(2)).weights
     assert abs(weights.mean()) < 5 * 0.3 / np.sqrt(weights.size)
     assert abs(weights.std() - 0.3) < 5 * 0.3 / np.sqrt(2 * weights.size)
     again = LinearQ(settings, rng=np.random.default_rng(2)).weights
     np.testing.assert_array_equal(again, weights)
-    zero = LearnerSettings(initial_sd=0.0)
+    zero = LinearSettings(initial_sd=0.0)
     assert not LinearQ(zero, rng=np.random.default_rng(2)).weights.any()
 
 
@@ -104,7 +104,7 @@ def test_choice_follows_its_two_draws(draws, allowed, expected, explored):
 )
 def test_select_never_picks_a_masked_action(mask, seed, epsilon):
     rng = np.random.default_rng(seed)
-    learner = LinearQ(LearnerSettings(epsilon=epsilon, n_features=3))
+    learner = LinearQ(LinearSettings(epsilon=epsilon, n_features=3))
     learner.weights[:] = rng.integers(0, 2, learner.weights.shape)
     for _ in range(20):
         allowed = np.array(mask, dtype=np.int8)
@@ -113,7 +113,7 @@ def test_select_never_picks_a_masked_action(mask, seed, epsilon):
 
 def test_greedy_choice_is_the_best_allowed_one():
     rng = np.random.default_rng(3)
-    learner = LinearQ(LearnerSettings(epsilon=0.0, n_features=3))
+    learner = LinearQ(LinearSettings(epsilon=0.0, n_features=3))
     learner.weights[:] = rng.standard_normal(learner.weights.shape)
     for _ in range(50):
         features, mask = rng.standard_normal(3), rng.integers(0, 2, 6)
@@ -123,7 +123,7 @@ def test_greedy_choice_is_the_best_allowed_one():
 
 
 def test_ties_are_broken_uniformly():
-    learner = LinearQ(LearnerSettings(epsilon=0.0))
+    learner = LinearQ(LinearSettings(epsilon=0.0))
     learner.weights[[0, 2, 5], 0] = 1.0
     rng, features = np.random.default_rng(11), np.eye(303)[0]
     chosen = [learner.select(seen(features), rng).action for _ in range(6000)]
@@ -133,7 +133,7 @@ def test_ties_are_broken_uniformly():
 
 
 def test_exploration_has_its_probability():
-    learner = LinearQ(LearnerSettings(epsilon=0.3))
+    learner = LinearQ(LinearSettings(epsilon=0.3))
     learner.weights[4, 0] = 1.0
     rng, features = np.random.default_rng(12), np.eye(303)[0]
     chosen = [learner.select(seen(features), rng) for _ in range(6000)]
@@ -154,7 +154,7 @@ def test_known_mdp_converges_to_its_action_values():
             [-1 + discount * value[state + 1] for state in range(3)],
         ]
     )
-    settings = LearnerSettings(0.5, 0.5, discount, n_actions=2, n_features=3)
+    settings = LinearSettings(0.5, 0.5, discount, n_actions=2, n_features=3)
     learner, rng, states = LinearQ(settings), np.random.default_rng(0), np.eye(4)[:, :3]
     for _ in range(300):
         state = 0
@@ -213,7 +213,7 @@ def test_bad_transition_is_named_and_teaches_nothing(changes, named):
 
 
 def test_divergence_is_reported():
-    learner = LinearQ(LearnerSettings(step_size=1.0, n_actions=1, n_features=1))
+    learner = LinearQ(LinearSettings(step_size=1.0, n_actions=1, n_features=1))
 
     def diverge():
         for _ in range(2000):
@@ -245,7 +245,7 @@ def test_divergence_is_reported():
 )
 def test_bad_settings_are_refused(setting, bad, valid):
     with pytest.raises(InvalidValue) as refused:
-        LearnerSettings(**{setting: bad})
+        LinearSettings(**{setting: bad})
     assert f"is {bad!r}; expected {valid}" in str(refused.value)
 
 

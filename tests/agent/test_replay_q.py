@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from told import random_steps, seen, step
 
-from prospect_mj.agent import LearnerSettings, LinearQ, ReplayQ, ReplaySettings
+from prospect_mj.agent import LinearQ, LinearSettings, ReplayQ, ReplaySettings
 from prospect_mj.errors import InvalidValue
 
 SMALL = ReplaySettings(
@@ -65,7 +65,7 @@ def test_newest_takes_the_place_of_the_oldest():
 
 
 def test_without_replays_it_is_the_linear_learner():
-    linear = LinearQ(LearnerSettings(step_size=0.02), np.random.default_rng(3))
+    linear = LinearQ(LinearSettings(step_size=0.02), np.random.default_rng(3))
     replay = ReplayQ(ReplaySettings(replays=0), np.random.default_rng(3))
     for given in random_steps(60, seed=4):
         errors = [one.update(given, Places()) for one in (linear, replay)]

@@ -8,7 +8,7 @@ from prospect_mj.actions.action import Action
 from prospect_mj.agent import TableQ, TableSettings
 from prospect_mj.agent.haptics import n_haptic
 from prospect_mj.agent.table_q import INSERTS, SWAPS_TO
-from prospect_mj.errors import InvalidValue
+from prospect_mj.errors import InvalidChoice, InvalidValue
 
 LID_LEFT, LID_RIGHT = 0, 1
 FREE, IN_LEFT, IN_RIGHT = 0, 1, 2
@@ -137,7 +137,14 @@ def test_nothing_is_drawn_and_remembered_without_replays():
     for given in random_steps(20, seed=4):
         learner.update(given, rng)
     assert rng.bit_generator.state == before
-    assert learner.state()["experience_state"].size == 0
+    assert learner.state().keys() == {"values", "seen", "n_updates"}
+
+
+@pytest.mark.parametrize(("to", "of"), [(0, 4), (4, 0)])
+def test_experience_belongs_to_a_table_with_replays(to, of):
+    state = TableQ(TableSettings(replays=of)).state()
+    with pytest.raises(InvalidChoice):
+        TableQ(TableSettings(replays=to)).restore(state)
 
 
 @pytest.mark.parametrize(

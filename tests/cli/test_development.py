@@ -13,6 +13,7 @@ from prospect_mj.errors import MissingPackage
 from prospect_mj.experiment.development import development
 from prospect_mj.experiment.development.study import learners, ready
 from prospect_mj.experiment.development.study.recordings import Recordings
+from prospect_mj.experiment.development.study.settings import IMAGE_WORLDS
 from prospect_mj.experiment.populations import digests, store
 from prospect_mj.locking import LockedFolder
 from prospect_mj.recording import shipped
@@ -55,7 +56,9 @@ def test_it_writes_a_report_and_the_same_again_learns_nothing(
     *lines, last = said.out.splitlines()
     assert last == "wrote out/report.md"
     assert said.err == ""
-    assert len(lines) == 8 + 5 * 3 + 2
+    # Four learners under two rules, what of them has an abstract task's things, the
+    # three learners that see in each world, and the end of both parts.
+    assert len(lines) == 8 + 14 + 3 * len(IMAGE_WORLDS) + 2
     assert lines[0].startswith("learners: linear, allowed: 3 runs, ")
     report = (tmp_path / "out" / "report.md").read_text()
     assert "## Worlds that look unlike each other" in report
@@ -114,7 +117,7 @@ def test_other_parts_may_be_added_later(tmp_path, made):
         ("--deep-trials 3", "3"),
         ("--grasped 7", "grasped is 7"),
         ("--planned 3", "planned is 3"),
-        ("--parts learners dance", "part is 'dance'; valid: learners, causal"),
+        ("--parts learners dance", "--parts is 'dance'; valid: learners, causal"),
         ("--parts learners learners", "parts"),
         ("--worlds moon", "world is 'moon'; valid: standard, lamp-right"),
         ("--changes noisy", "change is 'noisy'; valid: post, lamp-right"),

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from pages import DOCS
 
-from prospect_mj.agent import FeatureSettings, LearnerSettings
+from prospect_mj.agent import FeatureSettings, LinearSettings
 from prospect_mj.control.cartesian_motion import _LEVER, CartesianMotion
 from prospect_mj.control.controller import CONTROL_PERIOD
 from prospect_mj.control.differential_ik import IKSettings
@@ -36,7 +36,7 @@ from prospect_mj.sim.scene import SceneSettings, compile_scene
 
 IK, GRASP, INSERT = IKSettings(), GraspSettings(), InsertionSettings()
 TRANSIT, POSTURE = TransitSettings(), PostureSettings()
-PROPS, LEARNER, FEATURES = Props(), LearnerSettings(), FeatureSettings()
+PROPS, LEARNER, FEATURES = Props(), LinearSettings(), FeatureSettings()
 FRICTION = PROPS.well.friction
 LAG = (np.array(wam.SERVO.damping) + wam.SERVO.friction_damping) / wam.SERVO.stiffness
 LOOP = [(CONTROL_PERIOD / (gain * LAG[0])) ** 0.5 / 2 for gain in (IK.gain, 0.5)]

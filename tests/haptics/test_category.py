@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.special import softmax
 
 from prospect_mj.errors import InvalidValue
 from prospect_mj.haptics import (
@@ -38,7 +39,9 @@ def test_sample_by_sample_is_the_same_as_all_at_once():
     recogniser = CategoryRecogniser(MODELS)
     online = [recogniser.feel(*sample) for sample in FELT]
     samples = phase_samples(FELT)
-    np.testing.assert_allclose(online, MODELS.chances(samples), atol=1e-12)
+    evidence = np.cumsum(MODELS.log_likelihoods(samples), axis=0)
+    chances = softmax(evidence + np.log(MODELS.weight), axis=1)
+    np.testing.assert_allclose(online, chances, atol=1e-12)
     assert recogniser.category == categories([samples], MODELS)[0]
 
 

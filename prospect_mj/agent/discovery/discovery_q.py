@@ -16,7 +16,7 @@ from prospect_mj.agent.choice import Choice, allowed_actions, epsilon_greedy
 from prospect_mj.agent.discovery import saved
 from prospect_mj.agent.discovery.contexts import Contexts
 from prospect_mj.agent.discovery.discoverer import Discoverer, Visit
-from prospect_mj.agent.discovery.examples import Example, Examples
+from prospect_mj.agent.discovery.examples import NOT_READ, Example, Examples
 from prospect_mj.agent.discovery.feature import cumulative
 from prospect_mj.agent.discovery.forced import forced_after
 from prospect_mj.agent.discovery.values import Values
@@ -169,9 +169,12 @@ class DiscoveryQ:
         return outcomes
 
     def _checked(self, observation: Observation) -> tuple[int, int]:
-        """Haptic state and orientation; only forced splits use the latter."""
-        haptic, orientation = int(observation.haptic), int(observation.orientation)
+        """Haptic state and orientation, which without forced splits is not read."""
+        haptic = int(observation.haptic)
         check_integer("haptic state", haptic, 0, self.settings.n_haptic - 1)
+        if not self.settings.forced_splits:
+            return haptic, NOT_READ
+        orientation = int(observation.orientation)
         check_integer("orientation", orientation, 0, 1)
         return haptic, orientation
 

@@ -10,6 +10,8 @@ from prospect_mj.agent.settings import DiscoverySettings
 
 Context = tuple[int, int]
 """A haptic state and an action."""
+NOT_READ = 0
+"""In place of the orientation, where no split is forced."""
 
 
 class Example(NamedTuple):
@@ -18,7 +20,7 @@ class Example(NamedTuple):
     picture: NDArray[np.float64]
     """c, (101,) [1], the cumulative histogram."""
     orientation: int
-    """Side of the lid; only forced splits know it."""
+    """Side of the lid where splits are forced, else NOT_READ."""
     reward: float
     """[actions]."""
     next_haptic: int

@@ -8,7 +8,7 @@ from prospect_mj.agent import (
     AnyLearnerSettings,
     DiscoverySettings,
     Learner,
-    LearnerSettings,
+    LinearSettings,
     ReplaySettings,
     TableSettings,
 )
@@ -20,7 +20,7 @@ from prospect_mj.experiment.text_table import aligned
 from prospect_mj.recording.recording import Recording
 
 LEARNERS: tuple[AnyLearnerSettings, ...] = (
-    LearnerSettings(),
+    LinearSettings(),
     ReplaySettings(),
     TableSettings(),
     DiscoverySettings(),

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from prospect_mj.agent.settings import LearnerSettings
+from prospect_mj.agent.settings import LinearSettings
 from prospect_mj.experiment.populations.kernels.graph import Graph
 from prospect_mj.experiment.populations.outcome_graph import HANDS, recorded_graph
 from prospect_mj.recording.hands import GRASPS, SWAPS
@@ -57,7 +57,7 @@ def optimum(
     recording: Recording,
     supervisor: Supervisor | None = None,
     max_actions: int = 10,
-    epsilon: float = LearnerSettings.epsilon,
+    epsilon: float = LinearSettings.epsilon,
 ) -> Optimum:
     """The optimum over all presentations of a recording that are complete.
 

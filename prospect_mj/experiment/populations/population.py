@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Self
+from typing import NamedTuple, Self, TypeVar
 
 import numpy as np
 from joblib import Parallel, delayed
@@ -25,6 +25,8 @@ from prospect_mj.recording.recording import Recording
 MOST_JOBS = 1024
 """Threads that may be asked for."""
 
+Looked = TypeVar("Looked")
+
 
 @dataclass(frozen=True)
 class Population:
@@ -43,7 +45,7 @@ class Population:
     first_hand: NDArray[np.int8]
     """(runs, trials): hand of the first executed grasp, LEFT or RIGHT; NONE where there
     was no grasp."""
-    splits: NDArray[np.int16]
+    splits: NDArray[np.int32]
     """(runs, h, 6): the trial in which each context, a haptic state and an action, was
     first split by a feature; -1 where it never was, as with all other learners."""
 
@@ -70,7 +72,7 @@ class Learned(NamedTuple):
     """(n_trials, max_actions): whether it was run."""
     inserted: NDArray[np.bool_]
     """(n_trials, max_actions): whether it left the jar in the receptacle."""
-    splits: NDArray[np.int16]
+    splits: NDArray[np.int32]
     """(h, 6): the trial in which each context was first split, or -1."""
     learner: Learner
     """As it is in the end."""
@@ -80,7 +82,7 @@ class Learned(NamedTuple):
         """What a run came to."""
         done = walked.outcomes
         ran = _what_ran(graph, run.trials, done)
-        splits = walked.splits.astype(np.int16)
+        splits = walked.splits.astype(np.int32)
         results = done.n_actions, done.solved, done.action
         return cls(run.lid, run.inserts, *results, *ran, splits, run.learner)
 
@@ -91,7 +93,7 @@ class Learned(NamedTuple):
         n_actions = np.full(len(run.lid), max_actions, np.int8)
         solved, action = np.zeros(len(run.lid), np.bool_), np.full(shape, -1, np.int8)
         executed, inserted = np.zeros((2, *shape), np.bool_)
-        splits = np.full((n_haptic, len(ACTION_NAMES)), -1, np.int16)
+        splits = np.full((n_haptic, len(ACTION_NAMES)), -1, np.int32)
         results = n_actions, solved, action, executed, inserted
         return cls(run.lid, run.inserts, *results, splits, run.learner)
 
@@ -139,6 +141,28 @@ def run_population(
     return Population.of(scenario, rows)
 
 
+def look_into(
+    recording: Recording | World,
+    scenario: Scenario,
+    settings: PopulationSettings,
+    look: Callable[[Learner], Looked],
+    jobs: int = 1,
+) -> list[Looked]:
+    """What is seen in the learners themselves when they have ended, run by run.
+
+    Args:
+        recording: as in `run_population`.
+        scenario: what the trials present.
+        settings: of the population.
+        look: sees it; the learner is forgotten afterwards.
+        jobs: threads.
+    """
+    programme = Programme(recording, scenario, settings)
+    return Parallel(n_jobs=jobs, prefer="threads")(
+        delayed(_seen)(programme, number, look) for number in range(settings.runs)
+    )
+
+
 def learn(programme: Programme, number: int, take_over: bool = True) -> Learned:
     """Let one learner of a population learn.
 
@@ -162,6 +186,12 @@ def learn(programme: Programme, number: int, take_over: bool = True) -> Learned:
 
 def _row(programme: Programme, number: int) -> tuple[NDArray, ...]:
     return learn(programme, number, take_over=False).row
+
+
+def _seen(
+    programme: Programme, number: int, look: Callable[[Learner], Looked]
+) -> Looked:
+    return look(learn(programme, number).learner)
 
 
 def _what_ran(

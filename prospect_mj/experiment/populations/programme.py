@@ -128,10 +128,6 @@ class Programme:
         learner = new_learner(self._drawn(rngs.settings), rngs.start)
         return Run(lid, self._inserts(lid), histograms, trials, learner, rngs.learning)
 
-    def learner_settings(self, number: int) -> AnyLearnerSettings:
-        """The settings of the learner of a run, with those that it drew for itself."""
-        return self._drawn(self._rngs(number).settings)
-
     def rule(self, learner: Learner) -> Rule:
         """What a learner keeps to."""
         settings = self.settings

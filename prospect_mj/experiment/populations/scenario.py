@@ -6,7 +6,7 @@ from typing import Literal, get_args
 from prospect_mj.agent import (
     AnyLearnerSettings,
     FeatureSettings,
-    LearnerSettings,
+    LinearSettings,
     ReplaySettings,
 )
 from prospect_mj.agent.failed_actions import FailedActions
@@ -60,7 +60,7 @@ class PopulationSettings:
     """Learners, each of which begins anew."""
     seed: int = 0
     """Equal seeds give equal populations; run k is the same in all sizes of them."""
-    learner: AnyLearnerSettings = field(default_factory=LearnerSettings)
+    learner: AnyLearnerSettings = field(default_factory=LinearSettings)
     """The learner, which the class of its settings tells."""
     spread: tuple[Spread, ...] = ()
     """Parameters that every learner draws for itself, in place of those above."""
@@ -108,7 +108,7 @@ class PopulationSettings:
         """Refuse a learner of other actions or states than there are."""
         known, n_actions = self.learner, len(ACTION_NAMES)
         check_integer("number of actions", known.n_actions, n_actions, n_actions)
-        if isinstance(known, LearnerSettings | ReplaySettings):
+        if isinstance(known, LinearSettings | ReplaySettings):
             size = n_features(self.categories)
             check_integer("number of features", known.n_features, size, size)
         else:

@@ -3,23 +3,29 @@
 A file is known by the digest of all that decides its numbers: scenario, settings, the
 recording's outcomes, the code of the learner and of what is below it, and the versions
 of the packages that compute them. All of it stands in the metadata of the file's
-schema, as JSON, next to what the learners did in every trial.
+schema, as JSON, next to what the learners did in every trial, or to what was seen in
+them when they had ended.
 """
 
 import json
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
 import pyarrow as pa
-from pyarrow.lib import ArrowException
 
 from prospect_mj import tables
-from prospect_mj.errors import ForeignTable, RunFolderError
+from prospect_mj.agent import Learner
+from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.populations.digests import code, world_digest
-from prospect_mj.experiment.populations.population import Population, run_population
+from prospect_mj.experiment.populations.population import (
+    Population,
+    look_into,
+    run_population,
+)
 from prospect_mj.experiment.populations.scenario import PopulationSettings, Scenario
 from prospect_mj.experiment.populations.world import World
 from prospect_mj.experiment.run.records import ACTION_NAMES
@@ -38,7 +44,7 @@ _SCHEMA = pa.schema(
         "solved": pa.bool_(),
         "strategy": pa.int8(),
         "first_hand": pa.int8(),
-        "splits": pa.list_(pa.int16()),
+        "splits": pa.list_(pa.int32()),
         "seconds": pa.float32(),
         "jobs": pa.int16(),
     }
@@ -59,6 +65,26 @@ class Kept:
     """Threads that it had then."""
     earlier: bool = False
     """Whether that was in an earlier command."""
+
+
+@dataclass(frozen=True)
+class Look:
+    """What is to be seen in a learner that has ended."""
+
+    see: Callable[[Learner], list[dict[str, Any]]]
+    """Rows of it."""
+    schema: pa.Schema
+    """Of a row."""
+    code: str
+    """Digest of what sees it."""
+
+
+class _File(NamedTuple):
+    """Where something is kept."""
+
+    path: Path
+    digest: str
+    """Of all that decides on it."""
 
 
 class Store:
@@ -103,25 +129,63 @@ class Store:
         Raises:
             RunFolderError: if its file is damaged; it is left as it is.
         """
-        decides = {
-            "scenario": asdict(scenario),
-            "settings": asdict(settings),
-            "then": None if then is None else world_digest(World.of(then)),
-            "code": self._code(settings.learner.name),
-            **self._base,
-        }
-        digest = sha256(json.dumps(decides, sort_keys=True).encode())
-        kind = "dominant" if scenario.pretrain else "baseline"
-        path = self._folder / f"{kind}-{digest[:16]}.parquet"
-        self._used.add(path)
-        if path.exists():
-            return _kept(_read(path, digest), scenario)
+        changes = {"then": None if then is None else world_digest(World.of(then))}
+        decides = self._decides(scenario, settings) | changes
+        file = self._file("dominant" if scenario.pretrain else "baseline", decides)
+        if file.path.exists():
+            return _kept(tables.read_kept(file.path, _SCHEMA, file.digest), scenario)
         began, given = time.perf_counter(), (self._world, scenario, settings)
         learned = run_population(*given, self._jobs, then, tick)
         kept = Kept(learned, time.perf_counter() - began, self._jobs)
-        notes = {name: json.dumps(value) for name, value in decides.items()}
-        replace_file(path, tables.parquet(_rows(kept), digest, "zstd", notes))
+        _keep(file, _rows(kept), decides)
         return kept
+
+    def looked_into(
+        self, scenario: Scenario, settings: PopulationSettings, look: Look
+    ) -> pa.Table:
+        """Read what was seen in learners, or let them learn once more and look.
+
+        Args:
+            scenario: what the trials present.
+            settings: of the population.
+            look: what is seen in each of them.
+
+        Returns:
+            Rows of the look's schema, each with the number of its run first.
+
+        Raises:
+            RunFolderError: if its file is damaged; it is left as it is.
+        """
+        decides = self._decides(scenario, settings) | {"look": look.code}
+        file = self._file("looked", decides)
+        schema = look.schema.insert(0, pa.field("run", pa.int32()))
+        if not file.path.exists():
+            given = self._world, scenario, settings, look.see, self._jobs
+            rows = [
+                {"run": number, **row}
+                for number, seen in enumerate(look_into(*given))
+                for row in seen
+            ]
+            _keep(file, pa.Table.from_pylist(rows, schema=schema), decides)
+        return tables.read_kept(file.path, schema, file.digest)
+
+    def _decides(
+        self, scenario: Scenario, settings: PopulationSettings
+    ) -> dict[str, object]:
+        """What decides on what is learned."""
+        return {
+            "scenario": asdict(scenario),
+            "settings": asdict(settings),
+            "code": self._code(settings.learner.name),
+            **self._base,
+        }
+
+    def _file(self, kind: str, decides: Mapping[str, object]) -> _File:
+        """Where something is kept; that is used from now on."""
+        digest = sha256(json.dumps(decides, sort_keys=True).encode())
+        file = _File(self._folder / f"{kind}-{digest[:16]}.parquet", digest)
+        self._used.add(file.path)
+        return file
 
     def _code(self, learner: str) -> str:
         """Digest of the code of a learner, by its name; taken once."""
@@ -132,6 +196,12 @@ class Store:
     def unused(self) -> list[Path]:
         """Files that were not asked for, such as those of older code."""
         return sorted({*self._folder.glob("*.parquet")} - self._used)
+
+
+def _keep(file: _File, rows: pa.Table, decides: Mapping[str, object]) -> None:
+    """Write a table, with all that decides on it in its metadata."""
+    notes = {name: json.dumps(value) for name, value in decides.items()}
+    replace_file(file.path, tables.parquet(rows, file.digest, "zstd", notes))
 
 
 def _rows(kept: Kept) -> pa.Table:
@@ -152,22 +222,11 @@ def _rows(kept: Kept) -> pa.Table:
     return pa.table({name: rows[name] for name in _SCHEMA.names}, schema=_SCHEMA)
 
 
-def _read(path: Path, digest: str) -> pa.Table:
-    try:
-        return tables.read(path, _SCHEMA, digest, of="study")
-    except ForeignTable as error:
-        raise RunFolderError(str(error)) from error
-    except (OSError, ValueError, ArrowException) as error:
-        raise RunFolderError(
-            f"{path} can't be read: it is damaged; move it away and run again"
-        ) from error
-
-
 def _kept(rows: pa.Table, scenario: Scenario) -> Kept:
     """The population of a table."""
     shape = (-1, scenario.all_trials)
     columns = [rows[name].to_numpy().reshape(shape) for name in _KEPT]
     of_runs = rows["splits"].drop_null().to_pylist()
-    splits = np.array(of_runs, np.int16).reshape(len(of_runs), -1, len(ACTION_NAMES))
+    splits = np.array(of_runs, np.int32).reshape(len(of_runs), -1, len(ACTION_NAMES))
     seconds, jobs = rows["seconds"][0].as_py(), rows["jobs"][0].as_py()
     return Kept(Population(scenario, *columns, splits), seconds, jobs, earlier=True)

@@ -9,7 +9,7 @@ from prospect_mj.agent.failed_actions import FailedActions
 from prospect_mj.agent.features import FeatureSettings
 from prospect_mj.agent.haptics import n_features, n_haptic
 from prospect_mj.agent.learners import settings_of
-from prospect_mj.agent.settings import AnyLearnerSettings, LearnerSettings
+from prospect_mj.agent.settings import AnyLearnerSettings, LinearSettings
 from prospect_mj.checks import check_choice, check_integer, check_names
 from prospect_mj.envs.settings import Physics
 from prospect_mj.errors import InvalidValue, ProspectError
@@ -77,7 +77,7 @@ class TrainConfig:
     haptic_models: TrajectoryModels | None = None
     """Categories of grasps that the state tells as well (docs/haptics.md); none: it
     tells only which hand holds the jar."""
-    learner: AnyLearnerSettings = field(default_factory=LearnerSettings)
+    learner: AnyLearnerSettings = field(default_factory=LinearSettings)
     """The learner, with the parameters that it has."""
 
     def __post_init__(self) -> None:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from prospect_mj.agent import LinearQ
 from prospect_mj.agent.features import FeatureSettings, StateFeatureGenerator
-from prospect_mj.agent.settings import LearnerSettings
+from prospect_mj.agent.settings import LinearSettings
 from prospect_mj.checks import check_choice
 from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.populations.compiled_learner import (
@@ -59,7 +59,7 @@ class StudySettings:
     """Equal seeds give equal studies."""
     features: FeatureSettings = field(default_factory=FeatureSettings)
     """The state features."""
-    learner: LearnerSettings = field(default_factory=LearnerSettings)
+    learner: LinearSettings = field(default_factory=LinearSettings)
     """The learner."""
 
     def __post_init__(self) -> None:

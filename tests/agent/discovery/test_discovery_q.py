@@ -6,6 +6,7 @@ from prospect_mj.agent import DiscoverySettings, Transition
 from prospect_mj.agent.discovery import DiscoveryQ
 from prospect_mj.agent.discovery.detector import detector, required_distance
 from prospect_mj.agent.discovery.feature import Feature
+from prospect_mj.agent.observation import NOT_TOLD
 from prospect_mj.errors import InvalidChoice, InvalidValue
 
 HERE, THERE = (0, 0), (0, 1)
@@ -190,12 +191,25 @@ def test_forced_splits_come_after_their_trials_and_know_the_orientation():
     assert learner.q_values(told_otherwise)[0] == -3
 
 
-def test_otherwise_the_orientation_is_not_read():
-    learner = learned()
+def test_otherwise_the_orientation_is_neither_asked_for_nor_kept():
+    told, untold = learned(), learner_of()
+    rng = np.random.default_rng(1)
+    for number in range(60):
+        one = tried((DARK, BRIGHT)[number % 2])
+        state = one.observation._replace(orientation=NOT_TOLD)
+        untold.update(one._replace(observation=state, next_observation=state), rng)
+    for name, array in told.state().items():
+        np.testing.assert_array_equal(untold.state()[name], array, name)
+    assert not told.examples.orientation.any()
     for kind in (DARK, BRIGHT):
-        state = seen(kind)
-        values = learner.q_values(state._replace(orientation=1 - kind))
-        np.testing.assert_array_equal(values, learner.q_values(state))
+        values = untold.q_values(seen(kind)._replace(orientation=NOT_TOLD))
+        np.testing.assert_array_equal(values, told.q_values(seen(kind)))
+
+
+def test_forced_splits_must_be_told():
+    learner = learner_of(forced_splits=(("insert", 3),))
+    with pytest.raises(InvalidValue, match="orientation is -1"):
+        learner.q_values(seen(DARK)._replace(orientation=NOT_TOLD))
 
 
 def test_the_first_feature_may_be_given_to_all_contexts():
@@ -305,3 +319,9 @@ def test_settings_say_what_is_wrong_with_forced_splits(splits):
 
 def test_pictures_of_the_two_kinds_have_nothing_in_common():
     assert visual(DARK) @ visual(BRIGHT) == 0
+
+
+@pytest.mark.parametrize("name", ["share_first", "expert_phase"])
+def test_what_finds_features_is_refused_where_splits_are_forced(name):
+    with pytest.raises(InvalidValue, match=f"{name} is True; expected false with for"):
+        DiscoverySettings(forced_splits=(("insert", 3),), **{name: True})

@@ -2,7 +2,7 @@
 
 from ideal_env import IdealEnv
 
-from prospect_mj.agent import LearnerSettings
+from prospect_mj.agent import LinearSettings
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.run_folder import RunFolder
 from prospect_mj.experiment.run.training import train
@@ -10,7 +10,7 @@ from prospect_mj.experiment.view.run_view import RunView
 
 GRASP_LEFT, INSERT_LEFT = 0, 4
 # Every choice in its trials is a random one, and it can't learn to speak of.
-LEARNER = LearnerSettings(epsilon=1.0, step_size=1e-9, initial_sd=0.0)
+LEARNER = LinearSettings(epsilon=1.0, step_size=1e-9, initial_sd=0.0)
 
 
 def left_handed(path, trials=2, make_env=IdealEnv, **settings):

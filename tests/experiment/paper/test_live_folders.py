@@ -8,7 +8,7 @@ import yaml
 from ideal_env import IdealEnv
 from live_by_hand import live_run
 
-from prospect_mj.agent import LearnerSettings
+from prospect_mj.agent import LinearSettings
 from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.paper.live.live_folders import read_live
 from prospect_mj.experiment.populations.scenario import PopulationSettings
@@ -84,7 +84,7 @@ def test_a_run_that_was_killed_at_its_birth_is_unfinished(one):
         {"object_pose": "truth"},
         {"bootstrap_at_truncation": False},
         {"max_actions": 9},
-        {"learner": LearnerSettings(initial_sd=0.0)},
+        {"learner": LinearSettings(initial_sd=0.0)},
     ],
     ids=lambda settings: next(iter(settings)),
 )

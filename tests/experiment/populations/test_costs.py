@@ -4,7 +4,7 @@ import pytest
 from ideal_recording import ideal, recording
 
 from prospect_mj.agent import (
-    LearnerSettings,
+    LinearSettings,
     ReplaySettings,
     TableSettings,
     new_learner,
@@ -20,15 +20,15 @@ from prospect_mj.experiment.populations.costs import (
 
 def test_bytes_are_those_of_all_arrays():
     # 6 x 303 weights of eight bytes, and a count.
-    assert n_bytes(new_learner(LearnerSettings())) == 6 * 303 * 8 + 8
-    # 2 x 3 x 6 values, two orientations seen or not, and two counts.
-    assert n_bytes(new_learner(TableSettings())) == 36 * 8 + 2 + 8 + 8
+    assert n_bytes(new_learner(LinearSettings())) == 6 * 303 * 8 + 8
+    # 2 x 3 x 6 values, two orientations seen or not, and a count.
+    assert n_bytes(new_learner(TableSettings())) == 36 * 8 + 2 + 8
 
 
 def test_what_is_remembered_counts_too():
     good = recording(left=(ideal,), right=(ideal,))
     buffer = 50
-    few = (LearnerSettings(), ReplaySettings(buffer=buffer, replays=1))
+    few = (LinearSettings(), ReplaySettings(buffer=buffer, replays=1))
     linear, replay = measured_costs(good, few, runs=1)
     # Two states of 303 numbers, action, reward, end, and what was allowed.
     step = (2 * 303 + 2) * 8 + 1 + 6

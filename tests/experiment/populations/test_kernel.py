@@ -5,8 +5,8 @@ import pytest
 from ideal_recording import clumsy, ideal, one_handed, recording, unseen
 
 from prospect_mj.agent import (
-    LearnerSettings,
     LinearQ,
+    LinearSettings,
     ReplaySettings,
     TableSettings,
     new_learner,
@@ -29,7 +29,7 @@ from prospect_mj.experiment.populations.scenario import PopulationSettings, Scen
 from prospect_mj.recording.choices import phases
 from prospect_mj.supervisor.supervisor import Supervisor
 
-FAST = LearnerSettings(step_size=0.02, epsilon=0.1, initial_sd=0.0)
+FAST = LinearSettings(step_size=0.02, epsilon=0.1, initial_sd=0.0)
 LEFT, RIGHT = HANDS
 
 
@@ -119,7 +119,7 @@ def test_frozen_policy_is_greedy_and_learns_nothing():
 
 def test_a_failed_action_is_suppressed_in_its_holding_state_until_the_trial_ends():
     # In an ideal graph there is always an action left that has an effect.
-    settings = LearnerSettings(epsilon=1.0)
+    settings = LinearSettings(epsilon=1.0)
     done = learn_from(ideal_graph(), trials(400), settings, failed_actions="suppressed")
     for actions, nodes, root in zip(
         done.action, done.node, trials(400).root, strict=True
@@ -169,7 +169,7 @@ def test_learner_and_graph_must_fit_too():
         ({"n_actions": 5}, "actions"),
     ):
         with pytest.raises(InvalidValue, match=f"number of {what}"):
-            learn_from(graph, trials(), LearnerSettings(**size))
+            learn_from(graph, trials(), LinearSettings(**size))
     with pytest.raises(InvalidValue, match="states"):
         learn_from(graph._replace(state=np.ones(8, np.int32)), trials())
     with pytest.raises(InvalidValue, match="haptic states is 3; expected 0 to 2"):

@@ -30,7 +30,7 @@ from prospect_mj.experiment.populations.programme import Programme
 from prospect_mj.experiment.populations import scenario
 
 once = recording(left=(ideal,), right=(ideal,))
-linear = {"learner": scenario.LearnerSettings()}
+linear = {"learner": scenario.LinearSettings()}
 table = {"learner": TableSettings(replays=2)}
 for changes in (linear, linear | {"image_noise": 0.05}, table):
     settings = scenario.PopulationSettings(**changes)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from ideal_recording import ideal, recording
 
-from prospect_mj.agent import LearnerSettings
+from prospect_mj.agent import LinearSettings
 from prospect_mj.errors import InvalidChoice, InvalidValue, RecordingError
 from prospect_mj.experiment.populations.optimum import optimum
 from prospect_mj.experiment.populations.plain import learn_plainly
@@ -107,7 +107,7 @@ def test_sources_of_chance_do_not_depend_on_each_other(good):
         SMALL,
         image_noise=0.1,
         pictures="one_per_side",
-        learner=LearnerSettings(initial_sd=2.0),
+        learner=LinearSettings(initial_sd=2.0),
     )
     changed = Programme(good, Scenario(60), other).run(0)
     np.testing.assert_array_equal(changed.trials.root, plain.trials.root)
@@ -195,7 +195,7 @@ def test_noise_is_as_large_as_asked_and_new_in_every_trial(good):
 def test_initial_weights_are_drawn_as_asked(good):
     runs = {
         sd: Programme(
-            good, Scenario(), replace(SMALL, learner=LearnerSettings(initial_sd=sd))
+            good, Scenario(), replace(SMALL, learner=LinearSettings(initial_sd=sd))
         ).run(1)
         for sd in (0.0, 3.0)
     }
@@ -258,8 +258,8 @@ def test_a_dominant_hand_misleads_at_first_in_recorded_physics():
         ({"bootstrap_at_truncation": 1}, "bootstrap"),
         ({"image_noise": float("nan")}, "image noise"),
         ({"pictures": "none"}, "recorded, one_per_side"),
-        ({"learner": LearnerSettings(n_features=7)}, "features"),
-        ({"learner": LearnerSettings(n_actions=5)}, "actions"),
+        ({"learner": LinearSettings(n_features=7)}, "features"),
+        ({"learner": LinearSettings(n_actions=5)}, "actions"),
         ({"shaping": ("dance:3",)}, "dance"),
         ({"supervisor": "strict"}, "strict"),
     ],

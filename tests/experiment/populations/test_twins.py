@@ -8,7 +8,7 @@ from ideal_recording import clumsy, ideal, one_handed, recording, unseen
 
 from prospect_mj.agent import (
     FeatureSettings,
-    LearnerSettings,
+    LinearSettings,
     ReplaySettings,
     TableSettings,
 )
@@ -19,7 +19,7 @@ from prospect_mj.experiment.populations.scenario import PopulationSettings, Scen
 from prospect_mj.experiment.populations.world import World
 from prospect_mj.recording.recording import Recording
 
-FAST = LearnerSettings(step_size=0.02, epsilon=0.1, initial_sd=0.0)
+FAST = LinearSettings(step_size=0.02, epsilon=0.1, initial_sd=0.0)
 LEARNERS = {
     "linear": FAST,
     "replay": ReplaySettings(replays=3, buffer=100, epsilon=0.1),
@@ -74,13 +74,13 @@ def test_every_twin_is_its_learner_under_either_rule(odd, learner, rule):
     "settings",
     [
         {},
-        {"learner": LearnerSettings(step_size=0.3, epsilon=0.3, discount=0.9)},
+        {"learner": LinearSettings(step_size=0.3, epsilon=0.3, discount=0.9)},
         {"features": FeatureSettings(reading="one_hot")},
         {"features": FeatureSettings(normalisation="max_bin")},
         {"bootstrap_at_truncation": False, "max_actions": 5},
         {"supervisor": "productive"},
         {"supervisor": "safe", "shaping": ("insert-left:40", "grasp-right:90")},
-        {"learner": LearnerSettings(step_size=0.02, initial_sd=1.0)},
+        {"learner": LinearSettings(step_size=0.02, initial_sd=1.0)},
         {"image_noise": 0.05},
         {"pictures": "one_per_side", "image_noise": 0.01},
     ],
@@ -99,7 +99,7 @@ def test_compiled_learner_is_linear_q_on_a_recorded_task(odd, settings):
 def test_ties_are_broken_alike_through_whole_runs_of_the_papers_learner():
     # Equal pictures in many trials make equal values of different histories.
     once = recording(left=(ideal,), right=(ideal,))
-    settings = PopulationSettings(learner=LearnerSettings(initial_sd=0.0))
+    settings = PopulationSettings(learner=LinearSettings(initial_sd=0.0))
     programme = Programme(once, Scenario(400), settings)
     for number in range(6):
         compiled, plain = learn(programme, number), learn_plainly(programme, number)
@@ -108,7 +108,7 @@ def test_ties_are_broken_alike_through_whole_runs_of_the_papers_learner():
 
 @pytest.mark.parametrize("rule", RULES)
 @pytest.mark.parametrize(
-    "learner", [LearnerSettings(), ReplaySettings(), TableSettings()]
+    "learner", [LinearSettings(), ReplaySettings(), TableSettings()]
 )
 def test_twins_are_their_learners_on_the_shipped_recording(shipped, learner, rule):
     settings = PopulationSettings(learner=learner, failed_actions=rule)

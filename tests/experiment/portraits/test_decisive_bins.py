@@ -7,8 +7,8 @@ from ideal_env import counts_per_orientation
 from prospect_mj.actions.action import Action
 from prospect_mj.agent import (
     FeatureSettings,
-    LearnerSettings,
     LinearQ,
+    LinearSettings,
     Observation,
     StateFeatureGenerator,
 )
@@ -25,7 +25,7 @@ def pictures(rng, n=7):
 
 
 def learner(rng, categories=0):
-    learned = LinearQ(LearnerSettings(n_features=n_features(categories)))
+    learned = LinearQ(LinearSettings(n_features=n_features(categories)))
     learned.weights[:] = rng.normal(size=learned.weights.shape)
     return learned
 

@@ -9,7 +9,7 @@ import pytest
 from felt_models import THREE
 from ideal_env import IdealEnv
 
-from prospect_mj.agent import LearnerSettings, TableSettings, checkpoint
+from prospect_mj.agent import LinearSettings, TableSettings, checkpoint
 from prospect_mj.agent.learners import with_categories
 from prospect_mj.cli import new_file
 from prospect_mj.cli.plot import main
@@ -65,7 +65,7 @@ def test_weights_over_grey_levels_need_a_linear_learner(tmp_path, capsys):
 
 
 def test_weights_of_categories_are_left_out_and_told_of(tmp_path, capsys):
-    learner = with_categories(LearnerSettings(), len(THREE))
+    learner = with_categories(LinearSettings(), len(THREE))
     config = TrainConfig(trials=4, learner=learner, haptic_models=THREE)
     path = tmp_path / "run"
     session.start(config, path, IdealEnv, say=lambda _: None)

@@ -6,7 +6,7 @@ from typing import get_args
 
 import pytest
 
-from prospect_mj.agent import FeatureSettings, LearnerSettings
+from prospect_mj.agent import FeatureSettings, LinearSettings
 from prospect_mj.control import arm_control
 from prospect_mj.errors import ProspectError
 from prospect_mj.experiment.run import config
@@ -29,7 +29,7 @@ def test_dictionary_round_trip():
         seed=2**40,
         shaping=("swap-left-to-right:200", "insert-left:3"),
         features=FeatureSettings(reading="one_hot"),
-        learner=LearnerSettings(epsilon=0.1),
+        learner=LinearSettings(epsilon=0.1),
     )
     assert TrainConfig.from_dict(dataclasses.asdict(run)) == run
     read_back = json.loads(json.dumps(dataclasses.asdict(run)))
@@ -63,8 +63,8 @@ def test_dictionary_round_trip():
             },
             "something to choose in mode productive",
         ),
-        ({"learner": LearnerSettings(n_actions=5)}, "6"),
-        ({"learner": LearnerSettings(n_features=100)}, "303"),
+        ({"learner": LinearSettings(n_actions=5)}, "6"),
+        ({"learner": LinearSettings(n_features=100)}, "303"),
     ],
 )
 def test_bad_values_are_named(bad, named):

@@ -13,7 +13,7 @@ from ideal_env import IdealEnv
 from ideal_grower import grown_tree
 
 from prospect_mj import paths, storage
-from prospect_mj.agent import LearnerSettings, checkpoint
+from prospect_mj.agent import LinearSettings, checkpoint
 from prospect_mj.errors import FolderInUse, RecordingError, RunFolderError
 from prospect_mj.experiment.run import config_file, fingerprint, folder_guard, session
 from prospect_mj.experiment.run.config import TrainConfig
@@ -201,7 +201,7 @@ def test_run_cannot_be_shortened(tmp_path):
         (TrainConfig(trials=4, pretrain=2, seed=5), "seed is 4, not 5"),
         (TrainConfig(trials=9, pretrain=1, seed=4), "pretrain is 2, not 1"),
         (
-            TrainConfig(4, 2, seed=4, learner=LearnerSettings(epsilon=0.5)),
+            TrainConfig(4, 2, seed=4, learner=LinearSettings(epsilon=0.5)),
             r"its learner\.epsilon is 0\.05, not 0\.5$",
         ),
     ],
@@ -337,7 +337,7 @@ def test_other_versions_are_refused(uninterrupted, tmp_path):
 
 
 def test_configuration_may_hold_numpy_floats(tmp_path):
-    learner = LearnerSettings(epsilon=np.float64(0.1))
+    learner = LinearSettings(epsilon=np.float64(0.1))
     config = TrainConfig(trials=1, learner=learner)
     session.start(config, tmp_path, make_env, **LAST_WORD)
     assert config_file.read(tmp_path / "config.yaml") == config

@@ -5,7 +5,7 @@ import pytest
 from ideal_env import IdealEnv
 from scipy.stats import binomtest
 
-from prospect_mj.agent import LearnerSettings
+from prospect_mj.agent import LinearSettings
 from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.records import ACTION_NAMES
@@ -52,7 +52,7 @@ def test_pretraining_does_not_change_what_follows_it():
 @pytest.mark.filterwarnings("ignore:(overflow|invalid value) encountered")
 @pytest.mark.parametrize("step_size", [8.0, 10.0])
 def test_a_learner_that_diverges_is_told_of_and_leaves_numbers_behind(step_size):
-    learning = LearnerSettings(step_size=step_size, discount=1.0)
+    learning = LinearSettings(step_size=step_size, discount=1.0)
     config = TrainConfig(trials=3000, learner=learning)
     learner = new_learner(config)
     after = []

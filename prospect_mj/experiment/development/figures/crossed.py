@@ -6,6 +6,7 @@ from math import isinf, isnan
 import numpy as np
 from matplotlib.axes import Axes
 
+from prospect_mj.experiment.development.claims.criteria import CONFIDENT
 from prospect_mj.experiment.development.figures.grid import Grid, Size, grid, name
 from prospect_mj.experiment.development.figures.intervals import NEVER
 from prospect_mj.experiment.development.study.measured import Measured
@@ -19,7 +20,6 @@ from prospect_mj.experiment.run.plots import png
 
 _KINDS = {"late_gone": VERMILION, "early_gone": GREEN}
 _LEAD = "#d9e8d9"
-_SURE = 0.95
 _WIDTH = 0.5
 _TOP = NEVER + 130
 """Of a panel [trials], with room for words."""
@@ -77,7 +77,7 @@ def _draw(axes: Axes, rows: Sequence[Measured]) -> None:
             axes.plot([place, place], [low, high], color=colour, linewidth=1.4)
             marker = "^" if isinf(found.estimate) else "o"
             axes.plot(place, value, marker, color=colour, markersize=4.5)
-        if one.order >= _SURE:
+        if one.order >= CONFIDENT:
             style = {"ha": "center", "va": "top", "fontsize": SMALL - 1, "color": INK}
             axes.annotate("late first", (place, _TOP - 10), **style)
 

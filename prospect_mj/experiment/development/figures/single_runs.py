@@ -16,6 +16,7 @@ from prospect_mj.experiment.development.figures.grid import (
 from prospect_mj.experiment.development.measures.sequences import (
     WINDOW,
     difficult_trials,
+    windows,
 )
 from prospect_mj.experiment.paper.figures.figure_frame import SMALL
 from prospect_mj.experiment.populations.population import Population
@@ -74,16 +75,11 @@ def prevailing_cells(population: Population) -> NDArray[np.int64]:
         (runs, windows): numbers of `Strategy`, as far as all runs have trials; the run
         that is optimal first comes first.
     """
-    runs = [_cells(run) for run in difficult_trials(population)[:RUNS]]
+    runs = [windows(run) for run in difficult_trials(population)[:RUNS]]
     cells = np.array([run[: min(map(len, runs))] for run in runs])
     is_optimal = cells == Strategy.OPTIMAL
     first = np.where(is_optimal.any(axis=1), is_optimal.argmax(axis=1), cells.shape[1])
     return cells[np.argsort(first, kind="stable")]
-
-
-def _cells(strategies: NDArray[np.int8]) -> list[int]:
-    windows = strategies[: len(strategies) // WINDOW * WINDOW].reshape(-1, WINDOW)
-    return [int(np.bincount(w, minlength=len(Strategy)).argmax()) for w in windows]
 
 
 def _key(figure: Figure) -> None:

@@ -27,7 +27,7 @@ def grasps(recording: Recording) -> list[Grasp]:
     nodes, shown = recording.nodes, recording.presentations
     parent = parents(nodes)
     chosen = np.flatnonzero(taken(nodes) & (nodes.depth <= _FIRST_TWO))
-    tree = np.searchsorted(shown.root, chosen, side="right") - 1
+    tree = recording.presentation_of(chosen)
     return [
         Grasp(
             hand_of(int(shown.lid[tree_of])),

@@ -34,5 +34,5 @@ def ends_of_nodes(recording: Recording) -> NDArray[np.int64]:
     """(n,): BODY or LID, the end that is held in each node; BODY where none is."""
     shown, holding = recording.presentations, recording.nodes.holding
     own = np.arange(len(holding))
-    lid = shown.lid[np.searchsorted(shown.root, own, side="right") - 1]
+    lid = shown.lid[recording.presentation_of(own)]
     return np.where(holding == lid, LID, BODY)

@@ -1,6 +1,7 @@
 """What single runs do: the strategies that prevail one after the other."""
 
 from collections import Counter
+from itertools import groupby
 from typing import NamedTuple
 
 import numpy as np
@@ -33,8 +34,8 @@ def difficult_trials(population: Population) -> list[NDArray[np.int8]]:
     return [strategy[is_hard] for strategy, is_hard in pairs]
 
 
-def prevailing(strategies: NDArray[np.int8]) -> Sequence:
-    """The strategies that prevail in the windows of a run.
+def windows(strategies: NDArray[np.int8]) -> list[Strategy]:
+    """The strategy that prevails in each window of a run.
 
     Args:
         strategies: (n,) of its difficult trials; those that fill no window are left
@@ -44,10 +45,14 @@ def prevailing(strategies: NDArray[np.int8]) -> Sequence:
     found: list[Strategy] = []
     for window in strategies[: len(strategies) // WINDOW * WINDOW].reshape(-1, WINDOW):
         counts = np.bincount(window, minlength=len(Strategy))
-        if found and counts[found[-1]] == counts.max():
-            continue
-        found.append(Strategy(int(counts.argmax())))
-    return tuple(found)
+        stays = bool(found) and counts[found[-1]] == counts.max()
+        found.append(found[-1] if stays else Strategy(int(counts.argmax())))
+    return found
+
+
+def prevailing(strategies: NDArray[np.int8]) -> Sequence:
+    """The strategies that prevail one after the other in the `windows` of a run."""
+    return tuple(strategy for strategy, _ in groupby(windows(strategies)))
 
 
 def sequences(population: Population) -> list[SequenceShare]:

@@ -18,6 +18,7 @@ from prospect_mj.experiment.development.report.cells import order
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.study.causal import (
     CACHES,
+    LABELLED_RATES,
     LABELS,
     ORDERS,
     RATES,
@@ -46,7 +47,6 @@ _MEASURES = (
     optimal_last,
     easy_worst,
 )
-_LABELLED_RATES = RATES[:3]
 
 _SINGLE = """\
 The discovery learner, failed actions suppressed, with one thing changed. *Split*: the
@@ -100,7 +100,7 @@ def causal(results: Results) -> Iterator[str]:
     yield "![Labels](figures/causal_labels.png)"
     yield _crossed(
         ("labels", "remembered", "values"),
-        _LABELLED_RATES,
+        LABELLED_RATES,
         product(LABELS, CACHES, VALUES),
         lambda names, rate: rows[labelled_name(*names, rate)],
     )

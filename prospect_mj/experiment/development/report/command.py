@@ -1,5 +1,6 @@
 """The command that makes the numbers of a part."""
 
+import shlex
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import fields
 from types import MappingProxyType
@@ -31,7 +32,8 @@ def command(results: Results, *parts: Part) -> str:
         *_unusual(results.settings, StudySettings(), sizes),
         *_unusual(results.extent, Extent(), own),
     ]
-    words = " ".join(["prospect development", "--parts", *made, *given])
+    given += _unusual(results, Results, ("recording", "recordings"))
+    words = shlex.join(["prospect", "development", "--parts", *made, *given])
     return f"Made by `{words}`."
 
 
@@ -40,5 +42,5 @@ def _unusual(one: object, usual: object, names: Iterable[str]) -> Iterator[str]:
     for name in names:
         value = getattr(one, name)
         if value != getattr(usual, name):
-            values = value if isinstance(value, tuple) else (value,)
-            yield " ".join([f"--{name.replace('_', '-')}", *map(str, values)])
+            yield f"--{name.replace('_', '-')}"
+            yield from map(str, value if isinstance(value, tuple) else (value,))

@@ -16,6 +16,7 @@ from prospect_mj.experiment.development.report.haptics import haptics
 from prospect_mj.experiment.development.report.learners import learners
 from prospect_mj.experiment.development.report.opening import opening
 from prospect_mj.experiment.development.report.rivals import rivals
+from prospect_mj.experiment.development.study.found import MOST_RUNS
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.experiment.paper.measures.bootstrap import LEVEL, RESAMPLES
 from prospect_mj.experiment.paper.report.markdown import table
@@ -74,11 +75,14 @@ def _how(made: Made) -> Iterator[str]:
     results, settings = made.results, made.results.settings
     yield "## How it was made"
     yield (
-        f"Learners and populations: {settings.runs} runs; causal tables, worlds, "
-        f"changes and haptics: {settings.fewer_runs} runs a row, whose intervals tell "
-        "whether that is enough. Equal seeds in all rows: run k sees the same in all "
-        f"of them. In brackets: {100 * LEVEL:.0f} % intervals, percentiles of "
-        f"{RESAMPLES} resamples of the runs."
+        f"Learners, populations and the rivals that are linear: {settings.runs} runs a "
+        f"row, of which {min(settings.runs, MOST_RUNS)} are looked into for what was "
+        "found; causal tables, worlds, changes and haptics: "
+        f"{settings.fewer_runs} runs a row, whose intervals tell whether that is "
+        "enough. Equal seeds in all rows: run k sees the same presentations in the "
+        "same order in all of them that have the same pretraining. In brackets: "
+        f"{100 * LEVEL:.0f} % intervals, percentiles of {RESAMPLES} resamples of the "
+        "runs."
     )
     yield table(
         ("world", "key of the recording", "seed"),

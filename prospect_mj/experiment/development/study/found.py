@@ -5,31 +5,40 @@ histograms of both orientations:
 
 - discovery: the mean, over runs and the features of a context, of +1 where the level is
   in the range that is added up, -1 where it is in the one that is taken off, signed so
-  that more of it speaks for the lid on the left;
+  that to the learner, by its own counts, more of it speaks for the lid on the left;
 - linear and replay: how much more it adds to the value of a grasp by the left hand than
   to that of one by the right, w_Li - w_Ri of the histogram itself
   (`portraits.decisive_bins`), the mean over runs, divided by the largest.
 """
 
-from collections.abc import Mapping
-from typing import NamedTuple
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any, NamedTuple
 
 import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
-from prospect_mj.actions.action import Action
-from prospect_mj.agent import LinearQ
+from prospect_mj.agent import Learner, LinearQ
 from prospect_mj.agent.discovery import DiscoveryQ
+from prospect_mj.agent.discovery.detector import BETTER, WORSE, Detector
 from prospect_mj.agent.features import N_BINS
+from prospect_mj.experiment.development.rivals.kept import code
 from prospect_mj.experiment.development.study.learners import LEARNERS
+from prospect_mj.experiment.development.study.learning import Laboratory
 from prospect_mj.experiment.development.study.looks import histograms
 from prospect_mj.experiment.development.study.rows import population
 from prospect_mj.experiment.development.study.settings import DOMINANT, StudySettings
-from prospect_mj.experiment.populations.population import learn
-from prospect_mj.experiment.populations.programme import Programme
-from prospect_mj.recording.hands import GRASPS, INSERTIONS, NONE, NUMBERS, SWAPS
-from prospect_mj.recording.recording import Recording
+from prospect_mj.experiment.populations.store import Look
+from prospect_mj.recording.hands import (
+    GRASPS,
+    INSERTIONS,
+    LEFT,
+    NONE,
+    NUMBERS,
+    RIGHT,
+    SWAPS,
+)
 
 Floats = NDArray[np.float64]
 
@@ -42,9 +51,29 @@ CONTEXTS: Mapping[str, tuple[int, int]] = {
     "swap": (_HAND, SWAPS[_HAND]),
 }
 """Those of the dominant hand: haptic state and action."""
+_MEANS: Mapping[str, float] = {
+    name: 1.0 if (_HAND == LEFT) == (name != "swap") else -1.0 for name in CONTEXTS
+}
+"""What comes out better than usual means in each: 1.0, the lid is on the left. Only the
+swap is better where it lies on the other hand's side."""
 WEIGHED = ("linear", "replay")
 CHOICE = "choice of the hand"
 """What the weights of linear learners are of."""
+
+Line = dict[str, Any]
+
+_RANGE = "begin", "end", "less_begin", "less_end"
+_SEEN = pa.schema(
+    {
+        "context": pa.string(),
+        **dict.fromkeys(_RANGE, pa.int32()),
+        "cut": pa.float64(),
+        "says": pa.list_(pa.float64()),
+    }
+)
+"""A feature and what each grey level says in it [1]; or, without a range, what the
+weights of a learner say [actions]."""
+_CODE = ("experiment/development/study/found.py",)
 
 LEVELS = pa.schema(
     {
@@ -111,75 +140,80 @@ class Found(NamedTuple):
         return pa.concat_tables([pa.table(one, schema=LEVELS) for one in columns])
 
 
-def find(recording: Recording, study: StudySettings) -> Found:
-    """Let some learners learn once more, and look into them.
+def find(laboratory: Laboratory, study: StudySettings) -> Found:
+    """Look into some learners, which learn once more where that was not done before.
 
     Args:
-        recording: of the standard world.
+        laboratory: where they learn.
         study: its size.
     """
-    by_side = histograms(recording)
+    by_side = histograms(laboratory.recordings.standard)
     v = {side: rows.mean(axis=0) for side, rows in by_side.items()}
-    runs = min(study.runs, MOST_RUNS)
-    discoverers = _learned(recording, study, "discovery", runs)
-    says = [_said(discoverers, context, v) for context in CONTEXTS]
+    discovered = _seen(laboratory, study, "discovery", features)
+    says = [_said(discovered, context) for context in CONTEXTS]
     for name in WEIGHED:
-        says.append(_weighed(name, _learned(recording, study, name, runs)))
-    return Found(v, says, ranges(discoverers[0]))
+        says.append(_weighed(name, _seen(laboratory, study, name, weights)))
+    example = [Range(*(row[n] for n in Range._fields)) for row in discovered[0]]
+    return Found(v, says, example)
 
 
-def ranges(learner: DiscoveryQ) -> list[Range]:
-    """The features of one learner in `CONTEXTS`."""
+def features(learner: DiscoveryQ) -> list[Line]:
+    """The features of a discovery learner in `CONTEXTS`, under `_SEEN`."""
     return [
-        Range(name, *detector.feature, detector.cut)
+        {
+            "context": name,
+            **dict(zip(_RANGE, one.feature, strict=True)),
+            "cut": one.cut,
+            "says": _MEANS[name] * _speaks_for_better(one),
+        }
         for name, context in CONTEXTS.items()
-        for detector in learner.contexts.detectors(context)
+        for one in learner.contexts.detectors(context)
     ]
 
 
-def signs(learner: DiscoveryQ, context: str, v: Mapping[str, Floats]) -> Floats | None:
-    """What each grey level says in a context of one learner, (100,) [1].
+def weights(learner: LinearQ) -> list[Line]:
+    """What the weights of a linear learner say, a row under `_SEEN`."""
+    left, right = (learner.weights[GRASPS[hand], :N_BINS] for hand in (LEFT, RIGHT))
+    return [{"context": CHOICE, "says": left - right}]
 
-    Args:
-        learner: that has ended.
-        context: one of `CONTEXTS`.
-        v: (100,) [1], mean histogram by side of the lid.
 
-    Returns:
-        The mean over its features, or None without any.
+def _speaks_for_better(one: Detector) -> Floats:
+    """How each grey level (100,) makes a picture's class, by its detector, better [1].
+
+    The chances are those of `likelier_class`, after Laplace.
     """
-    found = [one for one in ranges(learner) if one.context == context]
-    if not found:
-        return None
-    return np.mean([_sign(one, v) for one in found], axis=0)
+    begin, end, less_begin, less_end = one.feature
+    levels = np.zeros(N_BINS)
+    levels[begin:end] += 1.0
+    levels[less_begin:less_end] -= 1.0
+    chance = (one.present + 1) / (one.total + 2)
+    return levels * np.sign(chance[BETTER] - chance[WORSE])
 
 
-def _sign(one: Range, v: Mapping[str, Floats]) -> Floats:
-    weights = np.zeros(N_BINS)
-    weights[one.begin : one.end] += 1.0
-    weights[one.less_begin : one.less_end] -= 1.0
-    return weights * np.sign(weights @ (v["left"] - v["right"]))
+def _seen(
+    laboratory: Laboratory,
+    study: StudySettings,
+    name: str,
+    see: Callable[[Learner], list[Line]],
+) -> list[list[Line]]:
+    """Rows of every run."""
+    runs = min(study.runs, MOST_RUNS)
+    settings = replace(population(study, LEARNERS[name], size="runs"), runs=runs)
+    look = Look(see, _SEEN, code(_CODE))
+    seen: list[list[Line]] = [[] for _ in range(runs)]
+    for row in laboratory.looked_into(DOMINANT, settings, look).to_pylist():
+        seen[row["run"]].append(row)
+    return seen
 
 
-def _learned(
-    recording: Recording, study: StudySettings, name: str, runs: int
-) -> list[DiscoveryQ | LinearQ]:
-    settings = population(study, LEARNERS[name], size="runs")
-    programme = Programme(recording, DOMINANT, settings)
-    return [learn(programme, number).learner for number in range(runs)]
-
-
-def _said(learners: list[DiscoveryQ], context: str, v: Mapping[str, Floats]) -> Says:
-    found = [signs(learner, context, v) for learner in learners]
-    there = [one for one in found if one is not None]
+def _said(runs: list[list[Line]], context: str) -> Says:
+    """The mean over the features of a run, then over runs with any."""
+    found = [[row["says"] for row in run if row["context"] == context] for run in runs]
+    there = [np.mean(says, axis=0) for says in found if says]
     levels = np.mean(there, axis=0) if there else np.zeros(N_BINS)
     return Says("discovery", context, len(there), levels)
 
 
-def _weighed(name: str, learners: list[LinearQ]) -> Says:
-    differing = [
-        learner.weights[Action.GRASP_LEFT] - learner.weights[Action.GRASP_RIGHT]
-        for learner in learners
-    ]
-    levels = np.mean(differing, axis=0)[:N_BINS]
-    return Says(name, CHOICE, len(learners), levels / np.abs(levels).max())
+def _weighed(name: str, runs: list[list[Line]]) -> Says:
+    levels = np.mean([row["says"] for run in runs for row in run], axis=0)
+    return Says(name, CHOICE, len(runs), levels / np.abs(levels).max())

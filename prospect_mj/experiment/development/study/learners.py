@@ -6,7 +6,7 @@ from types import MappingProxyType
 from prospect_mj.agent import (
     AnyLearnerSettings,
     DiscoverySettings,
-    LearnerSettings,
+    LinearSettings,
     ReplaySettings,
     TableSettings,
 )
@@ -18,7 +18,7 @@ _SLOW = 0.02
 
 LEARNERS: Mapping[str, AnyLearnerSettings] = MappingProxyType(
     {
-        "linear": LearnerSettings(),
+        "linear": LinearSettings(),
         "replay": ReplaySettings(),
         "table": TableSettings(),
         "discovery": DiscoverySettings(),
@@ -27,9 +27,9 @@ LEARNERS: Mapping[str, AnyLearnerSettings] = MappingProxyType(
 """By name."""
 CONTROLS: Mapping[str, AnyLearnerSettings] = MappingProxyType(
     {
-        "linear, step .02": LearnerSettings(step_size=0.02),
-        "linear, step .05": LearnerSettings(step_size=0.05),
-        "linear, step .1": LearnerSettings(step_size=0.1),
+        "linear, step .02": LinearSettings(step_size=0.02),
+        "linear, step .05": LinearSettings(step_size=0.05),
+        "linear, step .1": LinearSettings(step_size=0.1),
         "table, replays": TableSettings(replays=10),
         "table, copied habit": TableSettings(_SLOW, copied_habit=True),
         "table, copied habit, known correction": TableSettings(

@@ -3,11 +3,13 @@
 from collections.abc import Callable
 from pathlib import Path
 
+import pyarrow as pa
+
 from prospect_mj.experiment.development.study.recordings import Recordings
 from prospect_mj.experiment.development.study.rows import Row
 from prospect_mj.experiment.populations.population import Population
 from prospect_mj.experiment.populations.scenario import PopulationSettings, Scenario
-from prospect_mj.experiment.populations.store import Kept, Store
+from prospect_mj.experiment.populations.store import Kept, Look, Store
 from prospect_mj.experiment.populations.world import World
 from prospect_mj.recording.worlds import STANDARD
 
@@ -73,8 +75,16 @@ class Laboratory:
         self.learning_seconds += kept.seconds
         return kept
 
+    def looked_into(
+        self, scenario: Scenario, settings: PopulationSettings, look: Look
+    ) -> pa.Table:
+        """What is seen in learners of the standard world; see `Store.looked_into`."""
+        runs, learner = settings.runs, settings.learner.name
+        self._tell(f"looking into {runs} runs of {learner}")
+        return self._stores[STANDARD].looked_into(scenario, settings, look)
+
     def unused(self) -> list[Path]:
-        """Kept populations that nothing has asked for."""
+        """What is kept in the folder of populations and nothing has asked for."""
         stores = (*self._stores.values(), *self._others)
         unused = [set(store.unused()) for store in stores]
         return sorted(set.intersection(*unused))

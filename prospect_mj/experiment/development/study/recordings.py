@@ -23,6 +23,8 @@ class Recordings:
     """The standard one is among them."""
     path: Path | None = None
     """Folder of the standard one; None: that comes with the package."""
+    folder: Path | None = None
+    """Where the others are, by their names; None: in the package."""
 
     @classmethod
     def load(
@@ -43,7 +45,7 @@ class Recordings:
         """
         given = {STANDARD: standard} if standard is not None else {}
         read = {world: _read(world, given.get(world), folder) for world in worlds}
-        return cls(read, standard).checked()
+        return cls(read, standard, folder).checked()
 
     def checked(self) -> Self:
         """The same, if every recording is fit for the study.

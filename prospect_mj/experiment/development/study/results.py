@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import NamedTuple
 
 import pyarrow as pa
@@ -29,6 +30,10 @@ class Results:
 
     settings: StudySettings
     extent: Extent
+    recording: Path | None = None
+    """Folder of the standard world's recording; None: that comes with the package."""
+    recordings: Path | None = None
+    """Folder of the others; None: those that come with the package."""
     learners: list[Told] = field(default_factory=list)
     """Every learner under both rules, controls among them."""
     towards_abstract: list[Measured] = field(default_factory=list)

@@ -42,7 +42,9 @@ class StudySettings:
     """Size of the study of development."""
 
     runs: int = 1000
-    """Learners in each row of the parts learners and population."""
+    """Learners in each row of the parts learners and population, and in the rows of
+    linear learners of the part rivals; the part found looks into 100 of them at most.
+    """
     setting_runs: int | None = None
     """Learners in each row of the parts causal, worlds, change and haptics. Default:
     two fifths of the others, two at least."""
@@ -87,7 +89,7 @@ class StudySettings:
 class Extent:
     """How much of the study is made, or read where it was made before."""
 
-    parts: tuple[str, ...] = PARTS
+    parts: tuple[Part, ...] = PARTS
     """learners, causal, population, worlds, change, found, haptics, rivals."""
     worlds: tuple[str, ...] = IMAGE_WORLDS
     """Worlds of the part worlds."""

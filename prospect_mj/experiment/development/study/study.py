@@ -62,7 +62,7 @@ class Study:
         self._folder, self._settings, self._extent = folder, settings, extent
         self._recordings, self._jobs, self._tell = recordings, jobs, tell
         self._laboratory = Laboratory(folder, recordings, jobs, tell)
-        self._results = Results(settings, extent)
+        self._results = Results(settings, extent, recordings.path, recordings.folder)
 
     def results(self) -> Results:
         """Make all parts, or read them."""
@@ -153,8 +153,7 @@ class Study:
         return measured.measured(row, after.from_the_change(learned), rng, measures)
 
     def _found(self) -> None:
-        self._tell("found: learning once more, and looking into learners")
-        self._results.found = found.find(self._recordings.standard, self._settings)
+        self._results.found = found.find(self._laboratory, self._settings)
 
     def _haptics(self) -> None:
         size = self._settings

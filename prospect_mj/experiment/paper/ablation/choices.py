@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from prospect_mj.agent.features import FeatureSettings
-from prospect_mj.agent.settings import LearnerSettings
+from prospect_mj.agent.settings import LinearSettings
 from prospect_mj.experiment.paper.measures.bootstrap import Floats, Interval, interval
 from prospect_mj.experiment.paper.measures.measure import Measure
 from prospect_mj.experiment.paper.measures.sample import Pair, Sample
@@ -108,8 +108,8 @@ def _features(**changes: Any) -> dict[str, FeatureSettings]:  # noqa: ANN401
     return {"features": FeatureSettings(**changes)}
 
 
-def _learner(**changes: Any) -> dict[str, LearnerSettings]:  # noqa: ANN401
-    return {"learner": LearnerSettings(**changes)}
+def _learner(**changes: Any) -> dict[str, LinearSettings]:  # noqa: ANN401
+    return {"learner": LinearSettings(**changes)}
 
 
 @dataclass(frozen=True)

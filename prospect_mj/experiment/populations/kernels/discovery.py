@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from prospect_mj.agent.discovery.examples import NOT_READ
 from prospect_mj.agent.features import N_BINS
 from prospect_mj.experiment.populations.kernels import cache
 from prospect_mj.experiment.populations.kernels.discovery_discoverer import consider
@@ -67,7 +68,7 @@ def _look(state: DiscoveryState, trials: Trials, trial: int) -> None:
     for place in range(N_BINS):
         total += visual[place]
         sight.picture[place + 1] = total
-    side = trials.orientation[trial]
+    side = trials.orientation[trial] if state.options.is_forced else NOT_READ
     sight.orientation[0] = side
     for haptic in range(sight.leaf.shape[0]):
         for action in range(N_ACTIONS):

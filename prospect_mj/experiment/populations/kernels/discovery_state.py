@@ -64,7 +64,7 @@ class Sight(NamedTuple):
     picture: Floats
     """c, (101,) [1], the cumulative histogram."""
     orientation: Whole
-    """(1,): side of the lid."""
+    """(1,): side of the lid where splits are forced, else NOT_READ."""
     leaf: Whole
     """(h, 6): the leaf of each context that the picture is in, or WHOLE."""
     is_visited: NDArray[np.bool_]

@@ -5,9 +5,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from prospect_mj.agent.features import N_BINS, N_FEATURES
-from prospect_mj.agent.haptics import haptic_bits
-from prospect_mj.errors import InvalidValue
+from prospect_mj.agent.features import N_BINS
+from prospect_mj.agent.haptics import categories_of_features, haptic_bits
 from prospect_mj.experiment.populations.kernels.sums import Order, order_of, spans_of
 
 
@@ -28,11 +27,7 @@ def sight(n_features: int) -> Sight:
     Raises:
         InvalidValue: if no number of categories makes features of this length.
     """
-    categories, left_over = divmod(n_features - N_FEATURES, N_BINS + 1)
-    if categories < 0 or left_over:
-        expected = f"{N_FEATURES}, and {N_BINS + 1} more for each haptic category"
-        raise InvalidValue("number of features", n_features, expected)
-    bits = haptic_bits(categories)
+    bits = haptic_bits(categories_of_features(n_features))
     order = order_of(n_features)
     features = [_with_a_picture(row) for row in bits]
     return Sight(bits, order, spans_of(np.stack(features), order))

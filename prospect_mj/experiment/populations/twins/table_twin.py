@@ -37,17 +37,17 @@ def _mended(learner: TableQ) -> NDArray[np.float64]:
 
 def end(learner: TableQ, state: TableState, n_updates: int) -> None:
     """Let the learner remember what the ring does; the values are its own already."""
-    ring = state.ring
-    left = np.stack([ring.shown, ring.haptic], axis=1)
-    reached = np.stack([ring.shown, ring.follows], axis=1)
-    learner.restore(
-        {
-            "values": state.values,
-            "seen": state.seen,
-            "n_updates": np.array(learner.n_updates + n_updates),
-            **experience(ring, left, reached),
-        }
-    )
+    learned = {
+        "values": state.values,
+        "seen": state.seen,
+        "n_updates": np.array(learner.n_updates + n_updates),
+    }
+    if learner.settings.replays:
+        ring = state.ring
+        left = np.stack([ring.shown, ring.haptic], axis=1)
+        reached = np.stack([ring.shown, ring.follows], axis=1)
+        learned |= experience(ring, left, reached)
+    learner.restore(learned)
 
 
 TWIN = Twin(begin, table.run, end, lambda state: never_split(*state.values.shape[1:]))

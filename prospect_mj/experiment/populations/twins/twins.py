@@ -3,7 +3,7 @@
 from prospect_mj.agent import (
     AnyLearnerSettings,
     DiscoverySettings,
-    LearnerSettings,
+    LinearSettings,
     ReplaySettings,
     TableSettings,
 )
@@ -16,7 +16,7 @@ from prospect_mj.experiment.populations.twins import (
 from prospect_mj.experiment.populations.twins.twin import Twin
 
 TWINS: dict[type[AnyLearnerSettings], Twin] = {
-    LearnerSettings: linear_twin.TWIN,
+    LinearSettings: linear_twin.TWIN,
     ReplaySettings: replay_twin.TWIN,
     TableSettings: table_twin.TWIN,
     DiscoverySettings: discovery_twin.TWIN,

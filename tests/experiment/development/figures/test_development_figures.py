@@ -20,6 +20,7 @@ from prospect_mj.experiment.development.figures import (
 )
 from prospect_mj.experiment.development.figures.grid import COLOURS
 from prospect_mj.experiment.development.figures.shares import Panel
+from prospect_mj.experiment.development.measures.sequences import sequences
 from prospect_mj.experiment.development.study.pictures import NO_JAR, JarPicture
 from prospect_mj.experiment.development.study.settings import Extent
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
@@ -118,6 +119,13 @@ def test_cells_are_what_prevails_in_ten_difficult_trials():
     cells = single_runs.prevailing_cells(population([slow, fast]))
     # Ten trials are two blocks; who is optimal first is above.
     assert cells.tolist() == [[X, B, B], [L, E, B]]
+
+
+def test_a_tie_is_the_same_in_the_picture_as_in_the_table_of_sequences():
+    tied = population([[*[[L] * 5] * 3, *[[E] * 5] * 3]])
+    assert single_runs.prevailing_cells(tied).tolist() == [[L, L, E]]
+    ((sequence, _),) = sequences(tied)
+    assert sequence == (L, E)
 
 
 def test_single_runs_are_few_and_coloured(drawn):

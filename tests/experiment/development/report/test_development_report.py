@@ -1,7 +1,9 @@
 """The report says what was measured, and draws its conclusions from the verdicts."""
 
 import re
+import shlex
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 import study_by_hand
@@ -146,7 +148,7 @@ def test_every_causal_row_is_in_a_table(whole):
     found = sum(line.count("; 100.0 %; ") + line.count("; 0.0 %; ") for line in crossed)
     kept = len(causal.VALUES) - 1
     per_values = len(causal.ORDERS) * len(causal.RATES)
-    labelled = len(causal.LABELS) * len(causal.CACHES) * len(causal.RATES[:3])
+    labelled = len(causal.LABELS) * len(causal.CACHES) * len(causal.LABELLED_RATES)
     assert found == kept * (per_values + labelled)
 
 
@@ -209,13 +211,20 @@ def test_there_is_one_prediction_and_what_it_rests_on(whole):
 def test_the_command_of_a_part_makes_it_again(part):
     settings = StudySettings(runs=50, seed=3, deep_runs=5, grasped=0)
     extent = Extent(worlds=("standard", "noisy"), changes=("post",))
-    words = re.fullmatch(r"Made by `(.*)`\.", command(results(extent, settings), part))
-    program, subcommand, *argv = words[1].split()
+    own = replace(
+        results(extent, settings),
+        recording=Path("recordings/of my own"),
+        recordings=Path("recordings"),
+    )
+    words = re.fullmatch(r"Made by `(.*)`\.", command(own, part))
+    program, subcommand, *argv = shlex.split(words[1])
     assert (program, subcommand) == ("prospect", "development")
     usual = DevelopmentOptions()
     options = command_line.parse(DevelopmentOptions, argv, usual, program)
     assert options.config == settings
     assert options.extent.parts == (part,)
+    assert options.recording == own.recording
+    assert options.recordings == own.recordings
     if part == "worlds":
         assert options.extent.worlds == extent.worlds
     if part == "change":

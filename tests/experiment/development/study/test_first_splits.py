@@ -52,7 +52,7 @@ def test_other_contexts_don_t_count():
 
 def test_of_the_categories_of_a_grasp_the_first_split_counts():
     made = population([[[B] * 5] * 60] * 4, pretrain=PRETRAIN)
-    splits = np.full((4, n_haptic(2), 6), 12, np.int16)
+    splits = np.full((4, n_haptic(2), 6), 12, np.int32)
     splits[:, NONE, Action.GRASP_RIGHT] = 90
     for category, trial in enumerate((70, 50)):
         state = haptic_state(RIGHT, category, 2)

@@ -1,7 +1,9 @@
 """The study goes on where it was stopped, and its tables hold what was measured."""
 
 from collections import defaultdict
+from dataclasses import replace
 from itertools import product
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -246,8 +248,11 @@ def test_what_learners_are_told_of_grasps_is_a_part_like_others(
 def test_rivals_get_the_study_s_sizes(tmp_path, worlds, monkeypatch):
     asked = []
     monkeypatch.setattr(study.rivals, "run", lambda *given: asked.append(given))
-    opened(tmp_path, worlds, extent=Extent(("rivals",))).results()
-    ((_, _, rival, *_),) = asked
+    own = replace(worlds, path=Path("mine"), folder=Path("others"))
+    made = opened(tmp_path, own, extent=Extent(("rivals",))).results()
+    assert (made.recording, made.recordings) == (own.path, own.folder)
+    ((_, _, rival, path, *_),) = asked
+    assert path == own.path
     assert (rival.linear_runs, rival.deep_runs, rival.deep_trials) == (3, 2, 50)
     assert rival.live_presentations == 0
     assert rival.live_errors == ()

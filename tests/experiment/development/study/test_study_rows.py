@@ -3,7 +3,9 @@
 from dataclasses import asdict, replace
 from itertools import chain, product
 
+import numpy as np
 import pytest
+import small_study
 
 from prospect_mj.agent import DiscoverySettings
 from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY, END
@@ -19,6 +21,8 @@ from prospect_mj.experiment.development.study.settings import (
     IMAGE_WORLDS,
     StudySettings,
 )
+from prospect_mj.experiment.populations.programme import Programme
+from prospect_mj.experiment.populations.world import World
 
 STUDY = StudySettings(runs=50, seed=9)
 PARTS = {
@@ -39,8 +43,23 @@ def test_rows_of_a_part_have_names_of_their_own(part):
     assert len({row.title for row in rows}) == len(rows)
 
 
-def test_run_k_sees_the_same_in_all_rows():
-    assert {row.settings.seed for row in chain(*PARTS.values())} == {9}
+def test_run_k_sees_the_same_in_all_rows_of_a_pretraining():
+    recordings = small_study.recordings().by_world
+    shown = {pretrain: set() for pretrain in (0, 100, 400, 800)}
+    for row in chain(*PARTS.values()):
+        roots = presented(row, recordings)
+        shown[row.scenario.pretrain].add(roots[-600:].tobytes())
+    assert [len(of_pretraining) for of_pretraining in shown.values()] == [1] * 4
+    assert len(set.union(*shown.values())) == 4
+
+
+def presented(row, recordings):
+    """Where the trials (n,) before any change begin in run 3 of a row."""
+    begins = recordings[row.world]
+    if known := row.settings.categories:
+        begins = World(begins, known, np.zeros(len(begins.nodes.child), np.int64))
+    given = row.scenario, row.settings, recordings.get(row.then)
+    return Programme(begins, *given).run(3).trials.root[: row.scenario.trials]
 
 
 def test_every_learner_and_every_control_is_there_under_both_rules():
@@ -102,7 +121,9 @@ def test_forced_splits_are_crossed_with_values_and_rates():
 
 
 def test_labels_are_crossed_with_what_is_remembered_values_and_rates():
-    crossed = product(causal.LABELS, causal.CACHES, causal.VALUES, causal.RATES[:3])
+    crossed = product(
+        causal.LABELS, causal.CACHES, causal.VALUES, causal.LABELLED_RATES
+    )
     for labels, cache, values, rate in crossed:
         row = CAUSAL[causal.labelled_name(labels, cache, values, rate)]
         expected = replace(

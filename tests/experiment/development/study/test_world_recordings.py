@@ -67,7 +67,9 @@ def test_a_recording_of_another_world_is_not_taken_for_it(tmp_path):
     (tmp_path / "noisy").symlink_to(shipped)
     with pytest.raises(RecordingError, match="holds a recording of world standard"):
         Recordings.load(("standard", "noisy"), None, tmp_path)
-    assert list(Recordings.load(("standard",), None, tmp_path).by_world) == ["standard"]
+    read = Recordings.load(("standard",), shipped, tmp_path)
+    assert list(read.by_world) == ["standard"]
+    assert (read.path, read.folder) == (shipped, tmp_path)
 
 
 def test_what_is_no_recording_is_told(tmp_path):

@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from prospect_mj.actions.action import Action
 from prospect_mj.experiment.development.rivals.planner.simulators import (
@@ -83,7 +82,8 @@ def backward(recording: Recording, number: int) -> SearchResult:
         number: of the presentation.
     """
     nodes, root = recording.nodes, int(recording.presentations.root[number])
-    tree, parent = _tree(recording, number), parents(nodes)
+    parent = parents(nodes)
+    tree = np.flatnonzero(recording.presentation_of(np.arange(len(parent))) == number)
     # Every action of the tree but for its root was simulated, whatever the plan is.
     simulated, seconds = len(tree) - 1, float(nodes.sim_seconds[tree].sum())
     layer = {int(goal): () for goal in tree[nodes.inserted[tree]]}
@@ -98,12 +98,6 @@ def backward(recording: Recording, number: int) -> SearchResult:
             if node != root
         }
     return SearchResult(None, expanded, simulated, seconds)
-
-
-def _tree(recording: Recording, number: int) -> NDArray[np.int64]:
-    """Nodes of a presentation (n,): its root, and all up to the next root."""
-    ends = np.append(recording.presentations.root, len(recording.nodes.depth))
-    return np.arange(ends[number], ends[number + 1])
 
 
 def _action(nodes: Nodes, before: int, node: int) -> Action:
