@@ -27,6 +27,9 @@ from prospect_mj.storage import replace_file
 STAGES = 2
 """Of a path: the first probe, and all later ones."""
 
+_ROUNDED = 1e-3
+"""How far from 1 the sum of weights may be, that someone wrote by hand."""
+
 _Pairs = tuple[tuple[float, float], ...]
 
 
@@ -54,6 +57,8 @@ class TrajectoryModels:
         if not np.isfinite(numbers).all() or positive.min() <= 0:
             expected = "finite, weights and deviations above 0"
             raise InvalidValue("numbers of models", numbers.tolist(), expected)
+        if not np.isclose(np.sum(self.weight), 1.0, atol=_ROUNDED, rtol=0):
+            raise InvalidValue("weights of models", self.weight, "a sum of 1")
 
     def __len__(self) -> int:
         """K."""
@@ -92,7 +97,7 @@ class TrajectoryModels:
         try:
             return cls.from_dict(json.loads(path.read_text(encoding="utf-8")))
         except (OSError, ValueError, TypeError, KeyError, RecursionError) as error:
-            expected = f"a file of haptic models; {type(error).__name__}"
+            expected = f"a file of haptic models: {_reason(error)}"
             raise InvalidValue("haptic models", str(path), expected) from error
 
     @classmethod
@@ -105,6 +110,19 @@ class TrajectoryModels:
         """
         paths = (plain[name] for name in ("mean", "deviation"))
         return cls(tuple(plain["weight"]), *map(nested, paths))
+
+
+def _reason(error: Exception) -> str:
+    """Why a file has no models, for people."""
+    if isinstance(error, OSError):
+        return error.strerror or "it can't be read"
+    if isinstance(error, KeyError):
+        return f"it has no {error.args[0]!r}"
+    if isinstance(error, json.JSONDecodeError | UnicodeDecodeError):
+        return "it is not JSON"
+    if isinstance(error, InvalidValue):
+        return str(error)
+    return "its fields are no numbers of models"
 
 
 def stages(samples: NDArray[np.float64]) -> NDArray[np.intp]:
