@@ -27,6 +27,7 @@ from prospect_mj.storage import replace_file
 STAGES = 2
 """Of a path: the first probe, and all later ones."""
 
+_HALF_LOG_2_PI = np.log(2 * np.pi) / 2
 _ROUNDED = 1e-3
 """How far from 1 the sum of weights may be, that someone wrote by hand."""
 
@@ -66,15 +67,13 @@ class TrajectoryModels:
 
     def log_likelihoods(self, samples: NDArray[np.float64]) -> NDArray[np.float64]:
         """(n, K): log density of each sample (n, 3) in each model."""
-        # Only here: settings may hold models, and it takes half a second to load.
-        from scipy.stats import norm
-
         stage = stages(samples)
         mean, deviation = (
             np.moveaxis(np.array(part)[:, stage], 0, 1)
             for part in (self.mean, self.deviation)
         )
-        return norm.logpdf(samples[:, None, :2], mean, deviation).sum(axis=2)
+        away = (samples[:, None, :2] - mean) / deviation
+        return -(away**2 / 2 + np.log(deviation) + _HALF_LOG_2_PI).sum(axis=2)
 
     def chances(self, samples: NDArray[np.float64]) -> NDArray[np.float64]:
         """(n, K): chance of each model after the first, second, ... of the samples."""
