@@ -38,8 +38,8 @@ posture has to say.
 
 _NUMBERS = """\
 Numbers of models, both kinds of grasps together. *Halves*: how far models of two halves
-of the presentations agree on all grasps, with its standard error (adjusted Rand index: 1
-wholly, 0 as by chance). BIC, the information criterion, would be least at the right
+of the presentations agree on all grasps, with its standard error (adjusted Rand index:
+1 wholly, 0 as by chance). BIC, the information criterion, would be least at the right
 number if grasps were normal densities.
 """
 
