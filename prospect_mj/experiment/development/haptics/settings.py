@@ -24,7 +24,7 @@ class HapticSettings:
     clusters: ClusterSettings = field(default_factory=ClusterSettings)
     """Six models: of numbers up to eight, models of halves of the recorded grasps agree
     best then. The report has other numbers beside."""
-    most_models: int = 8
+    most_models: int = 7
     """Numbers of models up to this one are compared."""
     grasped: int = 24
     """Live grasps of each jar out of the cradle, and as many hand-overs: both hands at
