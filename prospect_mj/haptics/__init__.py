@@ -7,16 +7,19 @@ the residual's rate; such paths are clustered into a few models, and the chance 
 model is computed while a grasp runs.
 """
 
+from prospect_mj.haptics.agreement import Agreement, agreement
 from prospect_mj.haptics.category import CategoryRecogniser
 from prospect_mj.haptics.clustering import ClusterSettings, Fit, fit
 from prospect_mj.haptics.models import TrajectoryModels, categories
 from prospect_mj.haptics.phase_portrait import phase_samples
 
 __all__ = [
+    "Agreement",
     "CategoryRecogniser",
     "ClusterSettings",
     "Fit",
     "TrajectoryModels",
+    "agreement",
     "categories",
     "fit",
     "phase_samples",

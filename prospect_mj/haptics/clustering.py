@@ -29,8 +29,9 @@ _SMALLEST = 1e-9
 class ClusterSettings:
     """How trajectories are clustered."""
 
-    models: int = 3
-    """K, number of models."""
+    models: int = 6
+    """K, number of models: the one at which models of halves of the recorded grasps
+    agree best (`agreement`)."""
     starts: int = 10
     """Of which the best counts."""
     floor: float = 0.1

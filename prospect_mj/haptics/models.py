@@ -27,6 +27,10 @@ from prospect_mj.storage import replace_file
 STAGES = 2
 """Of a path: the first probe, and all later ones."""
 
+_HALF_LOG_2_PI = np.log(2 * np.pi) / 2
+_ROUNDED = 1e-3
+"""How far from 1 the sum of weights may be, that someone wrote by hand."""
+
 _Pairs = tuple[tuple[float, float], ...]
 
 
@@ -54,6 +58,8 @@ class TrajectoryModels:
         if not np.isfinite(numbers).all() or positive.min() <= 0:
             expected = "finite, weights and deviations above 0"
             raise InvalidValue("numbers of models", numbers.tolist(), expected)
+        if not np.isclose(np.sum(self.weight), 1.0, atol=_ROUNDED, rtol=0):
+            raise InvalidValue("weights of models", self.weight, "a sum of 1")
 
     def __len__(self) -> int:
         """K."""
@@ -61,15 +67,13 @@ class TrajectoryModels:
 
     def log_likelihoods(self, samples: NDArray[np.float64]) -> NDArray[np.float64]:
         """(n, K): log density of each sample (n, 3) in each model."""
-        # Only here: settings may hold models, and it takes half a second to load.
-        from scipy.stats import norm
-
         stage = stages(samples)
         mean, deviation = (
             np.moveaxis(np.array(part)[:, stage], 0, 1)
             for part in (self.mean, self.deviation)
         )
-        return norm.logpdf(samples[:, None, :2], mean, deviation).sum(axis=2)
+        away = (samples[:, None, :2] - mean) / deviation
+        return -(away**2 / 2 + np.log(deviation) + _HALF_LOG_2_PI).sum(axis=2)
 
     def write(self, path: Path) -> None:
         """Write them to a JSON file."""
@@ -85,7 +89,7 @@ class TrajectoryModels:
         try:
             return cls.from_dict(json.loads(path.read_text(encoding="utf-8")))
         except (OSError, ValueError, TypeError, KeyError, RecursionError) as error:
-            expected = f"a file of haptic models; {type(error).__name__}"
+            expected = f"a file of haptic models: {_reason(error)}"
             raise InvalidValue("haptic models", str(path), expected) from error
 
     @classmethod
@@ -98,6 +102,19 @@ class TrajectoryModels:
         """
         paths = (plain[name] for name in ("mean", "deviation"))
         return cls(tuple(plain["weight"]), *map(nested, paths))
+
+
+def _reason(error: Exception) -> str:
+    """Why a file has no models, for people."""
+    if isinstance(error, OSError):
+        return error.strerror or "it can't be read"
+    if isinstance(error, KeyError):
+        return f"it has no {error.args[0]!r}"
+    if isinstance(error, json.JSONDecodeError | UnicodeDecodeError):
+        return "it is not JSON"
+    if isinstance(error, InvalidValue):
+        return str(error)
+    return "its fields are no numbers of models"
 
 
 def stages(samples: NDArray[np.float64]) -> NDArray[np.intp]:

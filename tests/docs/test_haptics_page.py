@@ -22,8 +22,8 @@ def test_the_script_makes_models_that_the_environment_tells(tmp_path):
         check=True,
     )
     at_first, held = done.stdout.splitlines()
-    assert at_first == "(606,) -1"
+    assert at_first == "(909,) -1"
     hand, category = held.split()
     assert hand == "left"
-    assert 0 <= int(category) < 3
-    assert len(TrajectoryModels.read(tmp_path / "haptic_models.json")) == 3
+    assert 0 <= int(category) < 6
+    assert len(TrajectoryModels.read(tmp_path / "haptic_models.json")) == 6

@@ -137,22 +137,31 @@ WIDE = "[[[1, 1], [1, 1]]]"
 
 
 @pytest.mark.parametrize(
-    "content",
+    ("content", "why"),
     [
-        "",
-        "[]",
-        '{"weight": [1]}',
-        '{"weight": [1], "mean": [[0, 0]], "deviation": [[1, 1]]}',
-        f'{{"weight": [1], "mean": {STILL}, "deviation": {STILL}}}',
-        f'{{"weight": [NaN], "mean": {STILL}, "deviation": {WIDE}}}',
-        f'{{"weight": [1, 2], "mean": {STILL}, "deviation": {WIDE}}}',
-        f'{{"weight": ["a"], "mean": {STILL}, "deviation": {WIDE}}}',
+        ("", "it is not JSON"),
+        ("[]", "its fields are no numbers"),
+        ('{"weight": [1]}', "it has no 'mean'"),
+        ('{"weight": [1], "mean": [[0, 0]], "deviation": [[1, 1]]}', "its fields are"),
+        (f'{{"weight": [1], "mean": {STILL}, "deviation": {STILL}}}', "above 0"),
+        (f'{{"weight": [NaN], "mean": {STILL}, "deviation": {WIDE}}}', "finite"),
+        (f'{{"weight": [1, 2], "mean": {STILL}, "deviation": {WIDE}}}', "shapes"),
+        (f'{{"weight": [5], "mean": {STILL}, "deviation": {WIDE}}}', "a sum of 1"),
+        (f'{{"weight": ["a"], "mean": {STILL}, "deviation": {WIDE}}}', "its fields"),
     ],
 )
-def test_a_file_without_models_is_told_in_one_line(tmp_path: Path, content: str):
+def test_a_file_without_models_is_told_in_one_line(
+    tmp_path: Path, content: str, why: str
+):
     path = tmp_path / "models.json"
     path.write_text(content)
     with pytest.raises(InvalidValue) as told:
         TrajectoryModels.read(path)
     assert str(path) in str(told.value)
+    assert why in str(told.value)
     assert "\n" not in str(told.value)
+
+
+def test_a_file_that_is_not_there_is_told_in_one_line(tmp_path: Path):
+    with pytest.raises(InvalidValue, match="No such file or directory"):
+        TrajectoryModels.read(tmp_path / "nowhere.json")

@@ -30,7 +30,7 @@ from prospect_mj.experiment.development.haptics.grasp import (
 )
 from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY
 from prospect_mj.experiment.estimate import clustered_share
-from prospect_mj.haptics import ClusterSettings, Fit, categories, fit
+from prospect_mj.haptics import ClusterSettings, Fit, agreement, categories, fit
 
 TOLD = pa.schema(
     {
@@ -50,6 +50,8 @@ NUMBERS = pa.schema(
         "jar": pa.string(),
         "models": pa.int32(),
         "bic": pa.float64(),
+        "agreement": pa.float64(),
+        "agreement_error": pa.float64(),
         "grasps": pa.int32(),
         "presentations": pa.int32(),
         "told": pa.float64(),
@@ -57,12 +59,17 @@ NUMBERS = pa.schema(
         "high": pa.float64(),
     }
 )
-"""For each number of models: the criterion on all grasps, and the share told right."""
+"""For each number of models: the criterion on all grasps, how far the models of halves
+agree with its standard error, and the share told right."""
 
 FIRST_TOUCH, TIME = "category at first touch", "closing time"
 BY = BITS, FIRST_TOUCH, CATEGORY, TIME
 """What tells the end."""
 _FOLDS = 6
+_SPLITS = 6
+"""Into halves, whose models are compared."""
+_OF_EACH = 4
+"""Grasps for each model at least."""
 
 _Ends = NDArray[np.int64]
 _Predictor = Callable[[Sequence[Grasp]], _Ends]
@@ -108,16 +115,23 @@ def numbers(
     Args:
         jar: its name.
         grasps: of both kinds.
-        most: the largest number.
+        most: the largest number, if there are four grasps for each model.
         settings: of a clustering into so many models.
         rng: draws the starts.
     """
     rows, all_of_them = [], np.ones(len(grasps), np.bool_)
-    for n_models in range(1, most + 1):
-        bic = clustered(grasps, settings(n_models), rng).bic
-        hits = _right(grasps, settings(n_models), rng)[CATEGORY]
-        shares = _share(hits, grasps, all_of_them)
-        rows.append({"jar": jar, "models": n_models, "bic": bic, **shares})
+    for n_models in range(1, min(most, len(grasps) // _OF_EACH) + 1):
+        size = settings(n_models)
+        hits = _right(grasps, size, rng)[CATEGORY]
+        rows.append(
+            {
+                "jar": jar,
+                "models": n_models,
+                "bic": clustered(grasps, size, rng).bic,
+                **_agreement(grasps, size, rng),
+                **_share(hits, grasps, all_of_them),
+            }
+        )
     return pa.Table.from_pylist(rows, schema=NUMBERS)
 
 
@@ -126,6 +140,17 @@ def clustered(
 ) -> Fit:
     """The models of some grasps."""
     return fit([grasp.samples for grasp in grasps], settings, rng)
+
+
+def _agreement(
+    grasps: Sequence[Grasp], settings: ClusterSettings, rng: np.random.Generator
+) -> dict[str, float]:
+    """How far the models of two halves of the presentations agree."""
+    presented = [f"{grasp.orientation} {grasp.presentation}" for grasp in grasps]
+    _, group = np.unique(presented, return_inverse=True)
+    samples = [grasp.samples for grasp in grasps]
+    mean, error = agreement(samples, group, settings, _SPLITS, rng)
+    return {"agreement": mean, "agreement_error": error}
 
 
 def _right(

@@ -22,9 +22,9 @@ class HapticSettings:
     """What is grasped and clustered."""
 
     clusters: ClusterSettings = field(default_factory=ClusterSettings)
-    """Three models: hand-overs of the body feel unlike grasps of it out of the cradle.
-    The report has other numbers beside."""
-    most_models: int = 5
+    """Six models: of numbers up to eight, models of halves of the recorded grasps agree
+    best then. The report has other numbers beside."""
+    most_models: int = 7
     """Numbers of models up to this one are compared."""
     grasped: int = 24
     """Live grasps of each jar out of the cradle, and as many hand-overs: both hands at
