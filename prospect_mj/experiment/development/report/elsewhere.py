@@ -8,6 +8,7 @@ from prospect_mj.experiment.development.report.cells import BRIEF, measured_tabl
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.report.learners import stages
 from prospect_mj.experiment.development.study.after import (
+    OF_A_KIND,
     again,
     difficult_errors,
     easy_errors,
@@ -94,6 +95,9 @@ def change(results: Results) -> Iterator[str]:
     rows = [((one.row.then, one.row.name), one.measured) for one in results.change]
     yield measured_table(("change to", "learner"), rows, (*_OWN, *BRIEF))
     yield definitions(_OWN)
+    yield "The formerly easy trials, measured as the formerly difficult ones:"
+    rows = [((one.row.then, one.row.name), one) for one in results.formerly_easy]
+    yield measured_table(("change to", "learner"), rows, OF_A_KIND)
     yield command(results, "change")
 
 

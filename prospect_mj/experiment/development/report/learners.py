@@ -11,9 +11,9 @@ from prospect_mj.experiment.development.claims.criteria import LIKE_INFANTS
 from prospect_mj.experiment.development.claims.findings import Findings
 from prospect_mj.experiment.development.measures.ages import AGES, Found
 from prospect_mj.experiment.development.measures.measures import MEASURES
+from prospect_mj.experiment.development.report.all_claims import by_row
 from prospect_mj.experiment.development.report.cells import measured_table, order
 from prospect_mj.experiment.development.report.command import command
-from prospect_mj.experiment.development.report.opening import by_row
 from prospect_mj.experiment.development.study.measured import Told, words
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.experiment.paper.report.markdown import definitions, table

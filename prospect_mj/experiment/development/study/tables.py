@@ -23,7 +23,7 @@ def tables(results: Results) -> dict[str, pa.Table]:
     made = {}
     curves = [*results.learners, *results.population]
     curves += [*results.worlds, *results.change, *results.touches]
-    if measured := [*_measured(curves), *results.causal]:
+    if measured := [*_measured(curves), *results.formerly_easy, *results.causal]:
         made[MEASURED] = measured_table(measured)
     if curves:
         made[SHARES] = shares_table((one.row, one.development) for one in curves)
