@@ -70,19 +70,15 @@ def _change(results: Results) -> list[Claim]:
 def _changed(results: Results, change: str) -> list[Claim]:
     """Of one change; none if that part was not made."""
     both = zip(results.change, results.formerly_easy, strict=True)
-    rows = {
-        shown.row.name: {"formerly difficult": shown.measured, "formerly easy": easy}
-        for shown, easy in both
-        if shown.row.then == change
-    }
-    if not rows:
+    pairs = [(shown.measured, easy) for shown, easy in both if shown.row.then == change]
+    if not pairs:
         return []
     trials = {
-        shown.row.name: shown.measured.measured[again.name]
-        for shown in results.change
-        if shown.row.then == change
+        one.row.name: {"formerly difficult": one, "formerly easy": easy}
+        for one, easy in pairs
     }
-    return [*stages_again(change, rows), soonest(change, trials, SEEING)]
+    near_optimal = {one.row.name: one.measured[again.name] for one, _ in pairs}
+    return [*stages_again(change, trials), soonest(change, near_optimal, SEEING)]
 
 
 def _rivals(results: Results) -> list[Claim]:

@@ -28,9 +28,8 @@ _SEQUENCE = "late_gone", "early_gone", "dominance", "easy_worst"
 
 _OTHER_PARTS = {
     NEEDS: (
-        "With contexts split by force the order {} of what seems to make it: that "
-        "insertions split before grasps, and that values are re-estimated at the "
-        "split.",
+        "With contexts split by force, the order {} that insertions split before "
+        "grasps and that values are re-estimated at the split.",
         {
             Verdict.HOLDS: "needs both",
             Verdict.FAILS: "does not need both",
@@ -47,8 +46,8 @@ _OTHER_PARTS = {
         },
     ),
     f"{AGAIN}, post": (
-        "After learning, when the other end becomes the right one to hold, it {} "
-        "through all these stages again.",
+        "When, after learning, the other end becomes the right one to hold, the "
+        "learner that discovers {} through all stages again.",
         {
             Verdict.HOLDS: "goes",
             Verdict.FAILS: "does not go",
