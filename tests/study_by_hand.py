@@ -151,6 +151,7 @@ def results(extent=EXTENT, settings=SETTINGS):
     if "change" in parts:
         rows = world_rows.changes(settings, extent.changes)
         made.change = [shown(row, "late", after.AFTER) for row in rows]
+        made.formerly_easy = list(map(after.of_formerly_easy, made.change))
     made.found = found() if "found" in parts else None
     if "haptics" in parts:
         made.haptics, made.touches = haptics(), touches(settings)

@@ -1,9 +1,13 @@
-"""The claims of the study: each with what was measured, and whether it holds."""
+"""What is claimed of the learners, and the prediction that comes from it."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import NamedTuple
 
+from prospect_mj.experiment.development.claims.claim import (
+    AS_PAPER,
+    CONJECTURED,
+    Claim,
+    Row,
+)
 from prospect_mj.experiment.development.claims.criteria import (
     LIKE_INFANTS,
     UNLIKE_INFANTS,
@@ -22,38 +26,8 @@ from prospect_mj.experiment.development.claims.single_runs import (
 )
 from prospect_mj.experiment.paper.measures.target import Verdict
 
-
-class Row(NamedTuple):
-    """A learner under a rule for failed actions."""
-
-    learner: str
-    """Its name, or that of a control."""
-    rule: str
-    """`allowed` or `suppressed`."""
-
-    @property
-    def words(self) -> str:
-        """For tables and sentences."""
-        return f"{self.learner}, {self.rule}"
-
-
-@dataclass(frozen=True)
-class Claim:
-    """A sentence, and whether it holds."""
-
-    words: str
-    verdict: Verdict
-    evidence: str
-    """What was measured."""
-    name: str = ""
-    """For what rests on it."""
-
-
 Asked = Mapping[Row, Mapping[str, Judged]]
 """Criteria by their names, of every row."""
-
-AS_PAPER = Row("linear", "allowed")
-CONJECTURED = Row("discovery", "suppressed")
 
 
 def asked(rows: Mapping[Row, Findings], criteria: Sequence[Criterion]) -> Asked:
@@ -94,6 +68,7 @@ def _paper(rows: Mapping[Row, Findings]) -> Claim:
         "for fifty trials on end, and late ones are not gone before early ones.",
         all_of([one.verdict for one in judged.values()]),
         _evidence(judged),
+        AS_PAPER.words,
     )
 
 
@@ -105,6 +80,7 @@ def _conjecture(rows: Mapping[Row, Findings]) -> Claim:
         "strategy, as infants do.",
         all_of([one.verdict for one in judged.values()]),
         _evidence(judged),
+        CONJECTURED.words,
     )
 
 
@@ -121,10 +97,11 @@ def _not_necessary(rows: Mapping[Row, Findings]) -> Claim:
     if undecided:
         evidence += f"; undecided: {'; '.join(undecided)}"
     return Claim(
-        "Discovery is not necessary for that: learners without it meet the same "
-        "criteria.",
+        "Discovery is not necessary to develop as infants do: learners without it meet "
+        "all criteria.",
         Verdict.HOLDS if like else verdict,
         evidence,
+        "all without discovery",
     )
 
 
@@ -154,7 +131,8 @@ def _shared(rows: Mapping[Row, Findings], criterion: Criterion, words: str) -> C
     its = judged.pop(CONJECTURED)
     also = [row.words for row, one in judged.items() if one.verdict is Verdict.HOLDS]
     others = f"; it also holds for: {'; '.join(also) or 'none'}" if judged else ""
-    return Claim(words, its.verdict, its.words + others, criterion.name)
+    said = its.words + others
+    return Claim(words, its.verdict, said, CONJECTURED.words, criterion.name)
 
 
 def between_learners(populations: Mapping[str, Findings]) -> Claim:
@@ -178,6 +156,7 @@ def between_learners(populations: Mapping[str, Findings]) -> Claim:
         "and not within a learner.",
         its,
         evidence,
+        f"{CONJECTURED.learner}, unlike learners",
         BETWEEN,
     )
 

@@ -6,7 +6,7 @@ says that a stage is there at all. Each criterion is asked of every learner unde
 rule, controls among them.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf, isnan
 from typing import Protocol
@@ -96,17 +96,18 @@ def _percent(share: float) -> str:
     return f"{100 * share:.1f} %"
 
 
-LIKE_INFANTS = (
+LATE_GONE_FIRST = Criterion(
+    "late gone first",
+    "late corrections are gone before early ones in 95 % of the resamples",
+    _ordered,
+)
+STAGES = (
     Criterion(
         "late corrections prevail",
         "in a block late corrections are more than a half of the difficult trials",
         _measured("late_most", Kind.SHARE, Target(PREVAILING, 1.0)),
     ),
-    Criterion(
-        "late gone first",
-        "late corrections are gone before early ones in 95 % of the resamples",
-        _ordered,
-    ),
+    LATE_GONE_FIRST,
     Criterion(
         "corrections dominate",
         "corrections exceed the optimal strategy for fifty trials on end",
@@ -123,13 +124,18 @@ LIKE_INFANTS = (
         "hundred trials",
         _measured("optimal_last", Kind.SHARE, Target(PREVAILING, 1.0)),
     ),
+)
+"""Late, then early, then optimal."""
+
+LIKE_INFANTS = (
+    *STAGES,
     Criterion(
         "easy trials spared",
         "no block has less than 75 % optimal ones among its easy trials",
         _measured("easy_worst", Kind.SHARE, Target(0.75, 1.0)),
     ),
 )
-"""Late, then early, then optimal, with the dominant hand kept where it is right."""
+"""The stages, with the dominant hand kept where it is right."""
 
 UNLIKE_INFANTS = (
     Criterion(
@@ -150,7 +156,19 @@ infants' order. To the letter, never and early ones first, they depend on the me
 
 def develops(figures: Figures) -> Verdict:
     """Whether a population develops as infants do, by all criteria together."""
-    return all_of([criterion.judge(figures).verdict for criterion in LIKE_INFANTS])
+    return together(LIKE_INFANTS, figures).verdict
+
+
+def together(criteria: Sequence[Criterion], figures: Figures) -> Judged:
+    """What some criteria come to, with those that decide if they don't all hold."""
+    judged = {one.name: one.judge(figures) for one in criteria}
+    verdict = all_of([one.verdict for one in judged.values()])
+    if verdict is Verdict.HOLDS:
+        return Judged(verdict, verdict)
+    decide = [
+        f"{name}, {one.words}" for name, one in judged.items() if one.verdict is verdict
+    ]
+    return Judged(verdict, f"{verdict} ({'; '.join(decide)})")
 
 
 def all_of(verdicts: list[Verdict]) -> Verdict:

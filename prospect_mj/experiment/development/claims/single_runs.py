@@ -50,7 +50,7 @@ def change_words(found: Changes) -> str:
     return (
         f"of {found.n_runs} runs with ten of both kinds each, {own} corrections a run "
         "are on the wrong side of its own change, at most one in "
-        f"{found.abrupt.words(0, 100)} %; {common} are of one change for all"
+        f"{found.abrupt.words(0, 100)} %; {common} are on that of one change for all"
     )
 
 

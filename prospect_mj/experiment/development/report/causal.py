@@ -14,7 +14,7 @@ from prospect_mj.experiment.development.measures.measures import (
     late_most,
     optimal_last,
 )
-from prospect_mj.experiment.development.report.cells import order
+from prospect_mj.experiment.development.report.cells import ORDER, order
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.study.causal import (
     CACHES,
@@ -70,7 +70,7 @@ the value before. Columns: the least rate at which values follow, the inertia of
 """
 
 _LABELLED = """\
-The learner finds its features itself. *TD*: an example is better or worse by its
+The learner finds its features itself. *td*: an example is better or worse by its
 temporal-difference target, *return*: by all that the rest of its trial brought;
 *surprising*: only what is far from the mean is remembered, *all*: everything.
 """
@@ -109,7 +109,7 @@ def causal(results: Results) -> Iterator[str]:
 
 def _one_by_one(rows: Iterable[Measured]) -> str:
     titles = (one.title for one in _MEASURES)
-    head = ("", "insertion split", "grasp split", *titles, "late gone first")
+    head = ("", "insertion split", "grasp split", *titles, ORDER)
     return table((*head, "as infants"), map(_cells, rows))
 
 

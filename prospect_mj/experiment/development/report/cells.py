@@ -2,28 +2,23 @@
 
 from collections.abc import Iterable, Sequence
 
-from prospect_mj.experiment.development.measures.measures import (
-    dominance,
-    early_gone,
-    early_lead,
-    easy_worst,
-    late_gone,
-    optimal_last,
-)
+from prospect_mj.experiment.development.measures.measures import MEASURES
 from prospect_mj.experiment.development.study.measured import Measured
 from prospect_mj.experiment.paper.measures.measure import Measure
 from prospect_mj.experiment.paper.measures.quantity import Kind, number, with_interval
 from prospect_mj.experiment.paper.report.markdown import table
 
-BRIEF = (late_gone, early_gone, dominance, early_lead, optimal_last, easy_worst)
-"""Measures of a table with little room, beside the order."""
-ORDER = "late gone first"
+ORDER = "Late gone first"
+ORDER_DEFINED = (
+    f"- *{ORDER}*: Share of the resamples that have both kinds of corrections, and "
+    "late ones gone before early ones."
+)
 
 
 def measured_table(
     first: Sequence[str],
     rows: Iterable[tuple[Sequence[str], Measured]],
-    measures: Sequence[Measure] = BRIEF,
+    measures: Sequence[Measure] = MEASURES,
 ) -> str:
     """A table with a row for each population.
 

@@ -3,11 +3,11 @@
 from collections.abc import Iterator
 
 from prospect_mj.agent.features import N_BINS
-from prospect_mj.experiment.development.measures.measures import MEASURES
-from prospect_mj.experiment.development.report.cells import BRIEF, measured_table
+from prospect_mj.experiment.development.report.cells import measured_table
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.report.learners import stages
 from prospect_mj.experiment.development.study.after import (
+    OF_A_KIND,
     again,
     difficult_errors,
     easy_errors,
@@ -30,7 +30,8 @@ actions are suppressed.
 _WORLDS = """\
 Recordings of worlds that look unlike each other (`docs/worlds.md` tells what
 they are). *Between*: cosine of the mean histograms of both orientations; *within*: of
-two pictures of the same one; *noise*: of a bin, relative to its mean.
+two pictures of the same one; *noise*: of a bin, relative to its mean. In each of them
+the learners begin anew; failed actions are suppressed.
 """
 
 _CHANGE = """\
@@ -59,7 +60,7 @@ def spread(results: Results) -> Iterator[str]:
     yield _POPULATION.format(spreads=told).rstrip()
     yield "![Strategies in populations that differ](figures/population.png)"
     rows = [((one.row.name,), one.measured) for one in results.population]
-    yield measured_table(("learner",), rows, MEASURES)
+    yield measured_table(("learner",), rows)
     yield stages(results.population)
     yield command(results, "population")
 
@@ -82,7 +83,7 @@ def worlds(results: Results) -> Iterator[str]:
     )
     yield "![Corrections by world](figures/worlds.png)"
     rows = [((one.row.world, one.row.name), one.measured) for one in results.worlds]
-    yield measured_table(("world", "learner"), rows, MEASURES)
+    yield measured_table(("world", "learner"), rows)
     yield command(results, "worlds")
 
 
@@ -91,9 +92,15 @@ def change(results: Results) -> Iterator[str]:
     yield "## A world that changes"
     yield _CHANGE.format(trials=AFTER).rstrip()
     yield "![Strategies after the change](figures/change.png)"
-    rows = [((one.row.then, one.row.name), one.measured) for one in results.change]
-    yield measured_table(("change to", "learner"), rows, (*_OWN, *BRIEF))
+    head = "change to", "learner"
+    names = [(one.row.then, one.row.name) for one in results.change]
+    difficult = (one.measured for one in results.change)
+    rows = zip(names, difficult, strict=True)
+    yield measured_table(head, rows, (*_OWN, *OF_A_KIND))
     yield definitions(_OWN)
+    yield "The other columns are of formerly difficult trials. Of formerly easy ones:"
+    rows = zip(names, results.formerly_easy, strict=True)
+    yield measured_table(head, rows, OF_A_KIND)
     yield command(results, "change")
 
 

@@ -9,7 +9,6 @@ from prospect_mj.experiment.development.claims.criteria import develops
 from prospect_mj.experiment.development.haptics import ends
 from prospect_mj.experiment.development.haptics.grasp import KINDS
 from prospect_mj.experiment.development.haptics.haptics import RECORDED, HapticResults
-from prospect_mj.experiment.development.measures.measures import MEASURES
 from prospect_mj.experiment.development.report.cells import measured_table
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.report.haptics_answer import answer
@@ -109,7 +108,7 @@ def _effect(results: Results) -> str:
         )
         for one in results.touches
     ]
-    return measured_table(head, rows, MEASURES)
+    return measured_table(head, rows)
 
 
 def _split(found: Mapping[str, Any], name: str) -> str:

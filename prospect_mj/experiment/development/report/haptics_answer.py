@@ -45,7 +45,7 @@ def answer(told: pa.Table, rows: Iterable[Shown]) -> str:
     effects = (line for _, group in of_learner for line in _effects(list(group)))
     return "\n\n".join(
         [
-            "The category of the grasp tells the end that is held",
+            "The category of the grasp tells the end that is held:",
             _listed(_separation(told.to_pylist())),
             "In difficult trials, beside a learner that is told the hand only:",
             _listed(effects),

@@ -7,7 +7,7 @@ from typing import Any
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from prospect_mj.experiment.development.claims.claims import Claim
+from prospect_mj.experiment.development.claims.claim import Claim
 from prospect_mj.experiment.development.claims.criteria import all_of
 from prospect_mj.experiment.development.haptics import ends
 from prospect_mj.experiment.development.haptics.touch import CATEGORY, END, Touch
@@ -32,14 +32,13 @@ CHANCE = 0.5
 _EFFECTS: Mapping[Touch, tuple[str, tuple[Measure, ...]]] = MappingProxyType(
     {
         CATEGORY: (
-            "Told the category of a grasp of the standard jar, the {learner} learner "
-            "is through with late and with early corrections sooner than told the "
-            "hand only.",
+            "Told the category of each grasp of the standard jar, a learner is through "
+            "with late and with early corrections sooner than told the hand only.",
             (late_gone, early_gone),
         ),
         END: (
-            "Told the very end that is held, the {learner} learner has late "
-            "corrections that are rarer, and gone sooner, than told the hand only.",
+            "Told the very end that is held, a learner has late corrections that are "
+            "rarer, and gone sooner, than told the hand only.",
             (late_most, late_gone),
         ),
     }
@@ -68,9 +67,10 @@ def _separation(jar: str, told: pa.Table) -> Claim:
     by_category = [row for row in rows if row["by"] == ends.CATEGORY]
     return Claim(
         "The category of a grasp tells better than the two bits can which end of the "
-        f"jar is held, out of the cradle and in hand-overs: {jar}.",
+        "jar is held, out of the cradle and in hand-overs.",
         all_of([_better(row) for row in by_category]),
         "; ".join(_evidence(rows)),
+        f"jar: {jar}",
     )
 
 
@@ -98,7 +98,8 @@ def _effect(telling: Telling) -> Claim:
     there = [one.less for one in compared if one.there]
     evidence = (f"{one.kind} ones are {one.words}" for one in compared)
     return Claim(
-        words.format(learner=telling.learner),
+        words,
         all_of(there) if there else Verdict.OPEN,
         "; ".join(evidence),
+        telling.learner,
     )

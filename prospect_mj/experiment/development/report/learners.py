@@ -11,9 +11,13 @@ from prospect_mj.experiment.development.claims.criteria import LIKE_INFANTS
 from prospect_mj.experiment.development.claims.findings import Findings
 from prospect_mj.experiment.development.measures.ages import AGES, Found
 from prospect_mj.experiment.development.measures.measures import MEASURES
-from prospect_mj.experiment.development.report.cells import measured_table, order
+from prospect_mj.experiment.development.report.all_claims import by_row
+from prospect_mj.experiment.development.report.cells import (
+    ORDER_DEFINED,
+    measured_table,
+    order,
+)
 from prospect_mj.experiment.development.report.command import command
-from prospect_mj.experiment.development.report.opening import by_row
 from prospect_mj.experiment.development.study.measured import Told, words
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.experiment.paper.report.markdown import definitions, table
@@ -32,9 +36,10 @@ asked the same; controls are in the same tables.
 _STAGES = """\
 What infants do is told by the paper in words only (sections 2 and 3.2, after McCarty,
 Clifton and Collard 1999), so that only the order is compared, and trials are no ages.
-Each pattern is looked for in windows of twenty trials: {rules}. In brackets: the share
-of the resamples that have such a window. *In order*: the share in which the first
-windows of all three come one after the other.
+Each pattern is looked for in windows of twenty trials: {rules}. Each cell has the
+trials from the first such window to the last, and in brackets the share of the
+resamples that have one. *In order*: the share in which the first windows of all three
+come one after the other.
 """
 
 
@@ -48,8 +53,8 @@ def learners(results: Results) -> Iterator[str]:
         of_rule = [one for one in rows if one.row.rule == rule]
         yield f"### Failed actions {rule}"
         named = [((one.row.name,), one.measured) for one in of_rule]
-        yield measured_table(("learner",), named, MEASURES)
-    yield definitions(MEASURES)
+        yield measured_table(("learner",), named)
+    yield f"{definitions(MEASURES)}\n{ORDER_DEFINED}"
     yield "### Who develops as infants do"
     yield _criteria(results)
     yield "### Stages beside those of infants"

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from prospect_mj.experiment.development.claims.claims import Claim
+from prospect_mj.experiment.development.claims.claim import Claim
 from prospect_mj.experiment.development.claims.criteria import (
     Figures,
     develops,
@@ -10,6 +10,8 @@ from prospect_mj.experiment.development.claims.criteria import (
 from prospect_mj.experiment.development.study.causal import forced_name
 from prospect_mj.experiment.paper.measures.target import Verdict
 
+NEEDS = "needs both"
+"""Name of the claim."""
 _RATE = 0.005
 """Least rate of the discovery learner as it is."""
 _WITH = "insertion first", "examples"
@@ -35,6 +37,8 @@ def needs(rows: Mapping[str, Figures]) -> Claim:
         "insertions split before grasps, and values are re-estimated at the split.",
         _together(said[_WITH], [said[kind] for kind in _WITHOUT]),
         f"by all criteria together, {words}",
+        "discovery, splits forced",
+        NEEDS,
     )
 
 

@@ -6,7 +6,10 @@ import numpy as np
 
 from prospect_mj.experiment.development.figures.rivals import NAMES
 from prospect_mj.experiment.development.rivals.planner.model_errors import FLIP, KINDS
-from prospect_mj.experiment.development.rivals.rivals import RivalResults
+from prospect_mj.experiment.development.rivals.rivals import (
+    MAX_ACTIONS,
+    RivalResults,
+)
 from prospect_mj.experiment.estimate import Estimate
 from prospect_mj.experiment.paper.report.markdown import table
 
@@ -96,7 +99,8 @@ def _trials(row: dict[str, float], name: str) -> str:
 
 def _last(row: dict[str, float]) -> str:
     names = "last_actions", "last_low", "last_high"
-    return Estimate(*(row[name] for name in names)).words(2)
+    found = Estimate(*(row[name] for name in names))
+    return found.within(1, MAX_ACTIONS).words(2)
 
 
 def _or_never(trials: float) -> str:

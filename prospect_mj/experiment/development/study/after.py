@@ -2,19 +2,24 @@
 
 A population whose world changes is looked at as one with a longer pretraining, so that
 all measures of development count from the change: difficult and easy trials are those
-of the dominant hand of before, whatever hand is right now.
+of the dominant hand of before, whatever hand is right now. What is measured of the
+difficult trials is measured of the formerly easy ones, too: the change is one in both.
 """
 
 from dataclasses import replace
 
 from prospect_mj.experiment.development.measures.development import (
+    Development,
     difficult,
     easy,
 )
 from prospect_mj.experiment.development.measures.measures import (
     BEGINNING,
     MEASURES,
+    easy_worst,
+    order,
 )
+from prospect_mj.experiment.development.study.measured import Measured, Shown
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
 from prospect_mj.experiment.paper.measures.curves import (
     LONG,
@@ -76,6 +81,8 @@ def easy_last(curves: Curves) -> Floats:
 
 AFTER = (again, easy_errors, difficult_errors, easy_last, *MEASURES)
 """Of the trials after a change, in the order of tables."""
+OF_A_KIND = tuple(one for one in MEASURES if one is not easy_worst)
+"""Of trials of one kind."""
 
 
 def from_the_change(population: Population) -> Population:
@@ -83,3 +90,16 @@ def from_the_change(population: Population) -> Population:
     was = population.scenario
     scenario = Scenario(was.all_trials, was.trials, was.dominant)
     return replace(population, scenario=scenario)
+
+
+def of_formerly_easy(shown: Shown) -> Measured:
+    """A row after a change, its formerly easy trials in place of the difficult ones."""
+    swapped = Development(
+        *(replace(c, easy=c.difficult, difficult=c.easy) for c in shown.development)
+    )
+    return Measured(
+        replace(shown.row, name=f"{shown.row.name}, formerly easy trials"),
+        shown.measured.runs,
+        {one.name: one.estimate(swapped) for one in OF_A_KIND},
+        order(swapped),
+    )

@@ -50,6 +50,8 @@ class Results:
     worlds: list[Shown] = field(default_factory=list)
     change: list[Shown] = field(default_factory=list)
     """After the change."""
+    formerly_easy: list[Measured] = field(default_factory=list)
+    """The same rows, of their formerly easy trials."""
     found: Found | None = None
     haptics: HapticResults | None = None
     touches: list[Shown] = field(default_factory=list)

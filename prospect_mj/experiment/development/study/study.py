@@ -137,6 +137,8 @@ class Study:
         self._results.change = [
             self._shown(row, number, after.AFTER) for number, row in enumerate(rows)
         ]
+        changed = self._results.change
+        self._results.formerly_easy = list(map(after.of_formerly_easy, changed))
 
     def _shown(
         self,

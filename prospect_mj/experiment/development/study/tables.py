@@ -23,7 +23,8 @@ def tables(results: Results) -> dict[str, pa.Table]:
     made = {}
     curves = [*results.learners, *results.population]
     curves += [*results.worlds, *results.change, *results.touches]
-    numbers = [*_measured(curves), *results.causal, *results.towards_abstract]
+    numbers = [*_measured(curves), *results.formerly_easy]
+    numbers += [*results.causal, *results.towards_abstract]
     if numbers:
         made[MEASURED] = measured_table(numbers)
     if curves:

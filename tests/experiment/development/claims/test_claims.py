@@ -4,10 +4,8 @@ import numpy as np
 import pytest
 from hand_made_runs import B, E, L, X, population
 
+from prospect_mj.experiment.development.claims.claim import AS_PAPER, CONJECTURED, Row
 from prospect_mj.experiment.development.claims.claims import (
-    AS_PAPER,
-    CONJECTURED,
-    Row,
     asked,
     between_learners,
     claims,

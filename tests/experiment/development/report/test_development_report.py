@@ -11,18 +11,14 @@ from study_by_hand import EXTENT, results
 
 from prospect_mj.cli import command_line
 from prospect_mj.cli.development import DevelopmentOptions
-from prospect_mj.experiment.development.claims.claims import (
-    AS_PAPER,
-    CONJECTURED,
-    PREDICTION,
-    Row,
-)
+from prospect_mj.experiment.development.claims.claim import AS_PAPER, CONJECTURED, Row
+from prospect_mj.experiment.development.claims.claims import PREDICTION
 from prospect_mj.experiment.development.figures import pictures
 from prospect_mj.experiment.development.measures.ages import AGES
 from prospect_mj.experiment.development.measures.measures import MEASURES
 from prospect_mj.experiment.development.report.abstract_numbers import ABSTRACT
+from prospect_mj.experiment.development.report.answer import answer
 from prospect_mj.experiment.development.report.command import command
-from prospect_mj.experiment.development.report.opening import answer
 from prospect_mj.experiment.development.report.report import Made, report
 from prospect_mj.experiment.development.study import causal, learners
 from prospect_mj.experiment.development.study.settings import (

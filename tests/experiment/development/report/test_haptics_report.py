@@ -125,7 +125,7 @@ def test_the_answer_says_what_was_measured(results):
 def test_the_category_tells_the_end_if_all_of_the_interval_does(results, low, verdict):
     (claim,) = separations(told(results, low))
     assert claim.verdict is verdict
-    assert claim.words.endswith("standard, recorded.")
+    assert claim.of == "jar: standard, recorded"
     assert "out of the cradle 90 " in claim.evidence
     assert "by the two bits 50 %" in claim.evidence
 
@@ -137,10 +137,8 @@ def test_claims_follow_the_learners(results):
         expected = {**by_end, **by_category}
         (verdict,) = (said for words, said in expected.items() if words in claim.words)
         assert claim.verdict is verdict
-    of_learner = [claim.words for claim in haptic_claims(results)[1:]]
-    for number, name in enumerate(FEELING):
-        both = of_learner[2 * number : 2 * number + 2]
-        assert [f"the {name} learner" in words for words in both] == [True, True]
+    told_of = [claim.of for claim in haptic_claims(results)[1:]]
+    assert told_of == [name for name in FEELING for _ in by_end | by_category]
 
 
 def test_a_claim_on_what_never_was_there_is_undecided(results):

@@ -9,19 +9,23 @@ from prospect_mj.experiment.development.rivals.planner.model_errors import ERROR
 from prospect_mj.experiment.development.rivals.planner.prices import PRICES
 from prospect_mj.experiment.development.rivals.planner.wrong_physics import WRONG
 from prospect_mj.experiment.development.rivals.rivals import RivalResults
-from prospect_mj.experiment.development.rivals.settings import RivalSettings
+from prospect_mj.experiment.development.rivals.settings import (
+    LINEAR,
+    RivalSettings,
+)
 
 RIGHT, LEFT = "grasp-right, insert-right", "grasp-left, insert-left"
 
 
-def words(*rows):
+def words(*rows, learning=()):
     """The report of searches by error, orientation, plan, and whether it is right."""
     names = "error", "orientation", "plan", "inserted"
     counted = {"actions": 2, "simulated": 4, "sim_seconds": 20, "processor_seconds": 1}
     searched = [dict(zip(names, row, strict=True)) | counted for row in rows]
-    empty = [each.empty_table() for each in (LEARNING, CURVES, PRICES, ERRORS)]
+    learned = pa.Table.from_pylist(list(learning), schema=LEARNING)
+    empty = [each.empty_table() for each in (CURVES, PRICES, ERRORS)]
     table = pa.Table.from_pylist(searched, schema=WRONG)
-    return "\n".join(rivals(RivalResults(RivalSettings(), *empty, table)))
+    return "\n".join(rivals(RivalResults(RivalSettings(), learned, *empty, table)))
 
 
 def test_where_the_plan_breaks_is_what_was_measured():
@@ -45,3 +49,10 @@ def test_another_outcome_is_told_otherwise(inserted):
     assert f"- the plan inserts the jar in the world: {right}\n" in said
     assert f"searched physics only: {misled}\n" in said
     assert "- there is no plan: at no error\n" in said
+
+
+def test_an_interval_leaves_out_what_no_trial_takes():
+    row = dict.fromkeys(LEARNING.names, 600.0) | {"agent": LINEAR, "runs": 2}
+    row |= {"trials": 800, "smoothed_runs": 2, "seconds_per_run": 0.5}
+    row |= {"last_actions": 3.5, "last_low": -1.6, "last_high": 12.0}
+    assert "| 3.50 (1.00 to 10.00) | 0.5 |" in words(learning=[row])

@@ -5,18 +5,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from hand_made_runs import B, E, L, X, population
+from small_study import SETTINGS
 
 from prospect_mj.experiment.development.measures.development import Development
 from prospect_mj.experiment.development.measures.measures import late_gone
-from prospect_mj.experiment.development.study import after
+from prospect_mj.experiment.development.study import after, world_rows
+from prospect_mj.experiment.development.study.measured import Measured, Shown
 
 BEFORE = [[L] * 5] * 6 + [[B] * 5] * 6
 EASY = [[B] * 5] * 12
 TRIALS = 10 + 10 * len(BEFORE)
 
 
-def changed(difficult, easy=None, pretrain=10):
-    """Four runs that go on in another world."""
+def developed(difficult, easy=None, pretrain=10):
+    """What four runs come to that go on in another world."""
     easy = [[B] * 5] * len(difficult) if easy is None else easy
     made = population(
         [BEFORE + difficult] * 4, easy=[EASY + easy] * 4, pretrain=pretrain
@@ -27,9 +29,12 @@ def changed(difficult, easy=None, pretrain=10):
     found = replace(
         made, scenario=scenario, n_actions=n_actions.astype(made.n_actions.dtype)
     )
-    return Development.of(
-        after.from_the_change(found), np.random.default_rng(0), 20
-    ).mean
+    return Development.of(after.from_the_change(found), np.random.default_rng(0), 20)
+
+
+def changed(difficult, easy=None, pretrain=10):
+    """Their mean curves."""
+    return developed(difficult, easy, pretrain).mean
 
 
 def test_what_was_before_the_change_counts_nowhere():
@@ -58,3 +63,23 @@ def test_near_optimal_again_after_the_last_bad_mean_of_five_sets():
 
 def test_never_near_optimal_again_is_never():
     assert after.again(changed([[X] * 5] * 12))[0] == np.inf
+
+
+def test_formerly_easy_trials_are_measured_as_the_difficult_ones():
+    easy = [[L] * 5] * 3 + [[E] * 5] * 4 + [[B] * 5] * 5
+    row = world_rows.changes(SETTINGS, ("post",))[-1]
+    numbers = Measured(row, 4, {}, 0.0)
+    found = after.of_formerly_easy(Shown(numbers, developed([[X] * 5] * 12, easy)))
+    assert found.row.name == f"{row.name}, formerly easy trials"
+    assert (found.row.then, found.runs, found.order) == ("post", 4, 1.0)
+    measured = {name: one.estimate for name, one in found.measured.items()}
+    assert measured.pop("other_first") == 0.0
+    assert measured == {
+        "late_gone": 30,
+        "early_gone": 70,
+        "dominance": 70,
+        "early_lead": 40,
+        "late_most": 1.0,
+        "early_most": 1.0,
+        "optimal_last": 0.5,
+    }

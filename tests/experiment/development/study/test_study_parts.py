@@ -138,7 +138,8 @@ def test_tables_have_what_was_measured(done):
     assert found["estimate"] == told.findings.measured["dominance"].estimate
     assert found["runs"] == SETTINGS.runs
     orders = [row for row in rows if row["measure"] == "order"]
-    assert len(orders) == N_ROWS
+    formerly_easy = len(results.change)
+    assert len(orders) == N_ROWS + formerly_easy
     assert all(0 <= row["estimate"] <= 1 for row in orders)
 
 
