@@ -1,9 +1,17 @@
-"""Rendering in tests: the backend before MuJoCo, and loud news when there is none."""
+"""Rendering in tests: the backend before MuJoCo, and loud news when there is none.
+
+And interruptions, which tests send: nobody ignores them.
+"""
 
 import functools
 import os
+import signal
 
 from prospect_mj.sim import gl
+
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    # As of a shell's background job, which hands this on to every process.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 gl.configure()  # test modules import mujoco, which reads the choice once
 
