@@ -2,8 +2,8 @@
 
     python smoke.py FOLDER PHYSICS
 
-FOLDER is where the package is installed, with its entry points in FOLDER/bin. PHYSICS is
-live or recorded: trials in live physics compile the planner first, in many seconds.
+FOLDER is where the package is installed, with its entry points in FOLDER/bin; PHYSICS
+is live or recorded: live trials first compile the planner, for many seconds.
 """
 
 import json
