@@ -1,9 +1,10 @@
 """Rendering in tests: the backend before MuJoCo, and loud news when there is none.
 
-And interruptions, which tests send: nobody ignores them.
+Interruptions, which tests send, are heard, and what is imported is no garbage.
 """
 
 import functools
+import gc
 import os
 import signal
 
@@ -12,6 +13,8 @@ from prospect_mj.sim import gl
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     # As of a shell's background job, which hands this on to every process.
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+gc.disable()  # until all is collected: imports and thousands of tests, which stay
 
 gl.configure()  # test modules import mujoco, which reads the choice once
 
@@ -31,6 +34,13 @@ def _why_no_gl() -> str | None:
     except RenderingUnavailable as error:
         return str(error)
     return None
+
+
+def pytest_collection_finish() -> None:
+    """From now on look for garbage in what is new only."""
+    gc.collect()
+    gc.freeze()
+    gc.enable()
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:
