@@ -23,8 +23,8 @@ export TRIALS RUNS OUT
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DEFAULT_GOAL = help
 .DELETE_ON_ERROR:
-.PHONY: help train reproduce live development test lint study agents bench doctor docs \
-	tutorial constraints clean
+.PHONY: help train reproduce live development test lint study smoke agents bench doctor \
+	docs tutorial constraints clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1|\2/p' Makefile | \
@@ -57,6 +57,10 @@ lint: $(DEV) ## style, format and import contracts
 
 study: $(DEV) $(GL) ## the slow studies: actions, reaches, supervisor, learning
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m slow --timeout 7200 $(ARGS)
+
+smoke: $(DEV) $(RIVALS) $(GL) ## all of the study in few runs, and an installed package
+	$(BIN)/python -m pytest -n $(JOBS) -m slow --timeout 600 tests/test_packaging.py \
+	tests/experiment/development/study/test_whole_study.py $(ARGS)
 
 agents: $(DEV) $(AGENTS) $(GL) ## install Stable-Baselines3, and let the examples train
 	AGENTS=true $(BIN)/python -m pytest -m 'slow or not slow' tests/examples \

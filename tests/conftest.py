@@ -1,9 +1,20 @@
-"""Rendering in tests: the backend before MuJoCo, and loud news when there is none."""
+"""Rendering in tests: the backend before MuJoCo, and loud news when there is none.
+
+Interruptions, which tests send, are heard, and what is imported is no garbage.
+"""
 
 import functools
+import gc
 import os
+import signal
 
 from prospect_mj.sim import gl
+
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    # As of a shell's background job, which hands this on to every process.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+gc.disable()  # until all is collected: imports and thousands of tests, which stay
 
 gl.configure()  # test modules import mujoco, which reads the choice once
 
@@ -23,6 +34,13 @@ def _why_no_gl() -> str | None:
     except RenderingUnavailable as error:
         return str(error)
     return None
+
+
+def pytest_collection_finish() -> None:
+    """From now on look for garbage in what is new only."""
+    gc.collect()
+    gc.freeze()
+    gc.enable()
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:

@@ -6,6 +6,7 @@ Each rule is run on the project, and on planted violations, which show that it c
 import shutil
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -116,17 +117,20 @@ ALLOWED = [
 ]
 
 
-def sources(folders: tuple[str, ...]) -> list[Source]:
-    files = [file for folder in folders for file in (ROOT / folder).rglob("*.py")]
-    return [
-        Source(file.relative_to(ROOT).as_posix(), file.read_text("utf-8"))
-        for file in sorted(files)
-    ]
+@pytest.fixture(scope="module")
+def source():
+    """A file, read and parsed once for all rules, and forgotten after them."""
+
+    def read(file: Path) -> Source:
+        return Source(file.relative_to(ROOT).as_posix(), file.read_text("utf-8"))
+
+    return cache(read)
 
 
 @pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.__name__)
-def test_project_keeps(rule):
-    checked = sources(RULES[rule])
+def test_project_keeps(rule, source):
+    files = [file for one in RULES[rule] for file in (ROOT / one).rglob("*.py")]
+    checked = [source(file) for file in sorted(files)]
     assert len(checked) > 10
     broken = {f"{s.path}:{line}: {why}" for s in checked for line, why in rule(s)}
     assert not broken, "\n".join(sorted(broken))

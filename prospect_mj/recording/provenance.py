@@ -111,8 +111,12 @@ def _processor() -> str:
     return platform.processor()
 
 
+@cache
 def _code(text: str) -> str:
-    """A source as its syntax tree says it, without the docstrings."""
+    """A source as its syntax tree says it, without the docstrings.
+
+    Kept, as every run and every population asks for that of the same files.
+    """
     return repr(_plain(ast.parse(text)))
 
 

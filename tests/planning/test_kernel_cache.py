@@ -8,8 +8,13 @@ from pathlib import Path
 
 import numba
 import pytest
+from arm_scene import ArmScene
+from kept_kernels import kept_functions
 
-from prospect_mj.planning import kernel_cache
+from prospect_mj.planning import kernel_cache, occupancy
+from prospect_mj.planning.goals import GoalSet
+from prospect_mj.planning.planner import GrossPlanner, World
+from prospect_mj.robot import posture
 
 PACKAGE = Path(kernel_cache.__file__).parent
 USE = """
@@ -86,3 +91,20 @@ def test_whoever_imports_a_planner_uses_it(tmp_path):
     assert done.returncode == 0, done.stderr
     assert Path(done.stdout.strip()).parent == tmp_path
     assert done.stdout.strip().endswith(kernel_cache.sources()[:16])
+
+
+def test_what_is_cached_has_one_signature():
+    """Two processes that compile at the same time could mix up two of them.
+
+    The folder is that of the sources as they are: what any process has ever compiled of
+    them is there.
+    """
+    scene = ArmScene()
+    goal = GoalSet(lambda: posture.over_well("left")[None])
+    planner = GrossPlanner(scene.model, "left")
+    way = planner.plan(posture.home("left"), [goal], World(scene.data, scene.jars))
+    assert way.field is not None
+    functions = kept_functions(occupancy.free_cells)
+    assert any("free_cells" in name for name in functions), functions
+    assert len(functions) > 20
+    assert sorted(set(functions)) == functions

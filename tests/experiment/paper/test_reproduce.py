@@ -11,6 +11,7 @@ from live_by_hand import live_run, live_runs
 from prospect_mj import tables
 from prospect_mj.cli import reproduce as command
 from prospect_mj.errors import InvalidValue, RunFolderError
+from prospect_mj.experiment.paper import reproduce as driver
 from prospect_mj.experiment.paper.ablation import choices
 from prospect_mj.experiment.paper.figures import pictures
 from prospect_mj.experiment.paper.measures.statements import STATEMENTS
@@ -23,6 +24,7 @@ from prospect_mj.experiment.populations.scenario import (
     PopulationSettings,
     Scenario,
 )
+from prospect_mj.experiment.populations.speed import Speed
 from prospect_mj.locking import LockedFolder
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
@@ -69,8 +71,14 @@ def done(tmp_path_factory, shown, live):
 
 
 @pytest.fixture
-def undrawn(monkeypatch):
-    """Without the paper's figures, which take the longest, and are seen elsewhere."""
+def untimed(done, monkeypatch):
+    """Without the measurement of speed, once `done` has it."""
+    monkeypatch.setattr(driver, "measured_speed", lambda *given: Speed(2.0, 1.0))
+
+
+@pytest.fixture
+def undrawn(untimed, monkeypatch):
+    """Nor the paper's figures, which take the longest, and are seen elsewhere."""
     monkeypatch.setattr(pictures, "published", lambda *given: ())
 
 
@@ -117,7 +125,7 @@ def test_the_report_tells_every_statement_with_its_verdict(done, shown):
 
 
 def test_a_killed_reproduction_goes_on_where_it_was(
-    tmp_path, shown, done, live, monkeypatch
+    tmp_path, shown, done, live, monkeypatch, untimed
 ):
     def interrupt():
         raise KeyboardInterrupt
@@ -295,7 +303,7 @@ def given(shown, monkeypatch, tmp_path):
 
 
 def test_the_command_writes_the_report_and_nothing_but_its_path(
-    tmp_path, given, capsys
+    tmp_path, given, capsys, undrawn
 ):
     assert command.main(given) == 0
     said = capsys.readouterr()

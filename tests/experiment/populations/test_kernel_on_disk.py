@@ -7,9 +7,20 @@ import sys
 from pathlib import Path
 
 import pytest
+from ideal_recording import ideal, recording
+from kept_kernels import kept_functions
 
 from prospect_mj import paths
-from prospect_mj.experiment.populations.kernels import cache
+from prospect_mj.agent import TableSettings
+from prospect_mj.experiment.populations import compiled_learner
+from prospect_mj.experiment.populations.kernels import cache, linear
+from prospect_mj.experiment.populations.population import learn
+from prospect_mj.experiment.populations.programme import Programme
+from prospect_mj.experiment.populations.scenario import (
+    LinearSettings,
+    PopulationSettings,
+    Scenario,
+)
 from prospect_mj.planning import kernel_cache
 
 PACKAGE = Path(paths.__file__).parent
@@ -20,25 +31,6 @@ before = numba.config.CACHE_DIR
 from prospect_mj.experiment.populations.kernels import cache, linear
 assert numba.config.CACHE_DIR == before, "the planner's code is kept elsewhere"
 print(cache.folder())
-"""
-LEARN = """
-from ideal_recording import ideal, recording
-from prospect_mj.agent import TableSettings
-from prospect_mj.experiment.populations import compiled_learner
-from prospect_mj.experiment.populations.population import learn
-from prospect_mj.experiment.populations.programme import Programme
-from prospect_mj.experiment.populations import scenario
-
-once = recording(left=(ideal,), right=(ideal,))
-linear = {"learner": scenario.LinearSettings()}
-table = {"learner": TableSettings(replays=2)}
-for changes in (linear, linear | {"image_noise": 0.05}, table):
-    settings = scenario.PopulationSettings(**changes)
-    programme = Programme(once, scenario.Scenario(3), settings)
-    learned = learn(programme, 0)
-    trials = programme.run(0).trials
-    if changes is not table:
-        compiled_learner.run_frozen(learned.learner, programme.graph, trials)
 """
 
 
@@ -90,17 +82,30 @@ def test_it_works_where_nothing_can_be_written(read_only):
     assert not Path(done.stdout.strip()).exists()
 
 
-def test_what_is_cached_has_one_signature(tmp_path):
-    """Two processes that compile at the same time could mix up two of them."""
-    environment = {"NUMBA_CACHE_DIR": str(tmp_path)}
-    environment["PYTHONPATH"] = os.pathsep.join(sys.path)
-    subprocess.run(
-        [sys.executable, "-c", LEARN], env=os.environ | environment, check=True
-    )
-    functions = [path.stem.rpartition(".")[0] for path in tmp_path.rglob("*.nbc")]
+def learn_in_all_ways():
+    """Compile, or read, whatever of two learners is called from Python."""
+    once = recording(left=(ideal,), right=(ideal,))
+    default, table = LinearSettings(), TableSettings(replays=2)
+    for learner, noise in ((default, 0.0), (default, 0.05), (table, 0.0)):
+        settings = PopulationSettings(learner=learner, image_noise=noise)
+        programme = Programme(once, Scenario(3), settings)
+        learned = learn(programme, 0)
+        if learner is default:
+            trials = programme.run(0).trials
+            compiled_learner.run_frozen(learned.learner, programme.graph, trials)
+
+
+def test_what_is_cached_has_one_signature():
+    """Two processes that compile at the same time could mix up two of them.
+
+    The folder is that of the sources as they are: what any process has ever compiled of
+    them is there.
+    """
+    learn_in_all_ways()
+    functions = kept_functions(linear.run)
     for learner in ("linear", "table"):
         assert any(f"{learner}.run" in name for name in functions), functions
-    assert sorted(set(functions)) == sorted(functions)
+    assert sorted(set(functions)) == functions
 
 
 def test_any_change_of_any_source_leads_to_another_folder(tmp_path, monkeypatch):
