@@ -5,13 +5,14 @@ from types import SimpleNamespace
 import numpy as np
 
 from prospect_mj.actions.action import Action
+from prospect_mj.agent.haptics import LEFT, NONE, RIGHT
 from prospect_mj.experiment.development.haptics.grasp import (
     CRADLE,
     HAND_OVER,
     LID,
     Grasp,
 )
-from prospect_mj.recording.hands import GRASPS, LEFT, NONE, RIGHT, SWAPS
+from prospect_mj.recording.hands import GRASPS, SWAPS
 from prospect_mj.recording.recording import Recording
 from prospect_mj.robot.names import SIDES, other
 

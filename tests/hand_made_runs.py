@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from prospect_mj.agent.haptics import LEFT, RIGHT
 from prospect_mj.experiment.populations.population import Population
 from prospect_mj.experiment.populations.scenario import Scenario
 from prospect_mj.experiment.populations.strategies import Strategy
-from prospect_mj.recording.hands import LEFT, RIGHT
 
 B, E, L, X = Strategy.OPTIMAL, Strategy.EARLY, Strategy.LATE, Strategy.OTHER
 

@@ -8,6 +8,7 @@ from hand_made_runs import B, E, L, X, population
 from small_study import SETTINGS
 
 from prospect_mj.agent.features import N_BINS
+from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.claims.findings import Findings
 from prospect_mj.experiment.development.haptics import ends
 from prospect_mj.experiment.development.haptics.haptics import (
@@ -27,9 +28,18 @@ from prospect_mj.experiment.development.study import (
     world_rows,
 )
 from prospect_mj.experiment.development.study import population as spread
-from prospect_mj.experiment.development.study.found import CHOICE, Found, Range, Says
+from prospect_mj.experiment.development.study.found import (
+    CHOICE,
+    Discovered,
+    Range,
+    Says,
+)
 from prospect_mj.experiment.development.study.ideal_outcomes import IdealOutcomes
-from prospect_mj.experiment.development.study.measured import Measured, Shown, Told
+from prospect_mj.experiment.development.study.measured import (
+    Measured,
+    MeasuredCurves,
+    Told,
+)
 from prospect_mj.experiment.development.study.results import Results, Single
 from prospect_mj.experiment.development.study.settings import Extent
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
@@ -69,7 +79,9 @@ def shown(row, kind, measures=measured.MEASURES):
     """A row that did so, with fewer numbers."""
     development = Development(*findings(kind).development)
     numbers = {one.name: one.estimate(development) for one in measures}
-    return Shown(Measured(row, RUNS, numbers, findings(kind).order), development)
+    return MeasuredCurves(
+        Measured(row, RUNS, numbers, findings(kind).order), development
+    )
 
 
 def causal_row(row):
@@ -96,7 +108,7 @@ def found():
     says += [
         Says(name, CHOICE, 3, v["left"] - v["right"]) for name in ("linear", "replay")
     ]
-    return Found(
+    return Discovered(
         v, says, [Range("grasp", 34, 36, 0, 0, 0.27), Range("swap", 9, 12, 70, 71, 0)]
     )
 
@@ -130,7 +142,7 @@ def results(extent=EXTENT, settings=SETTINGS):
         for row in learners.rows(settings):
             kind = "infant" if (row.name, row.rule) in LIKE else "at once"
             made.learners.append(told(row, kind))
-            if row.rule == "suppressed" and row.name in learners.LEARNERS:
+            if row.rule == "suppressed" and row.name in DEFAULTS:
                 made.singles.append(Single(row, runs(kind)))
         made.outcomes = IdealOutcomes(500, 0)
         made.towards_abstract = [
@@ -144,13 +156,13 @@ def results(extent=EXTENT, settings=SETTINGS):
         rows = world_rows.worlds(settings, extent.worlds)
         made.worlds = [shown(row, "infant") for row in rows]
         looked = [(w, 4, 0.8, 0.99, 0.15) for w in extent.worlds]
-        made.looks = looks.LOOKS.empty_table().from_pylist(
-            [dict(zip(looks.LOOKS.names, one, strict=True)) for one in looked],
-            schema=looks.LOOKS,
+        made.looks = looks.LOOKS_SCHEMA.empty_table().from_pylist(
+            [dict(zip(looks.LOOKS_SCHEMA.names, one, strict=True)) for one in looked],
+            schema=looks.LOOKS_SCHEMA,
         )
     if "change" in parts:
         rows = world_rows.changes(settings, extent.changes)
-        made.change = [shown(row, "late", after.AFTER) for row in rows]
+        made.change = [shown(row, "late", after.MEASURES_AFTER) for row in rows]
         made.formerly_easy = list(map(after.of_formerly_easy, made.change))
     made.found = found() if "found" in parts else None
     if "haptics" in parts:

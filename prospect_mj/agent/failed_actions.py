@@ -15,6 +15,7 @@ from prospect_mj.agent.haptics import N_HOLDINGS
 from prospect_mj.checks import check_choice
 
 FailedActions = Literal["allowed", "suppressed"]
+RULES: tuple[FailedActions, ...] = get_args(FailedActions)
 
 
 class FailedActionRule:
@@ -27,7 +28,7 @@ class FailedActionRule:
 
     def __init__(self, rule: FailedActions, n_actions: int = 6) -> None:
         """Begin a trial, in which nothing has failed."""
-        check_choice("rule for failed actions", rule, get_args(FailedActions))
+        check_choice("rule for failed actions", rule, RULES)
         self._suppresses = rule == "suppressed"
         self._failed = np.zeros((N_HOLDINGS, n_actions), bool)
 

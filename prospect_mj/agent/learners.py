@@ -27,6 +27,10 @@ SETTINGS: Mapping[str, type[AnyLearnerSettings]] = {
 """Class of the settings of each learner, by its name."""
 
 NAMES = tuple(SETTINGS)
+DEFAULTS: Mapping[str, AnyLearnerSettings] = {
+    name: kind() for name, kind in SETTINGS.items()
+}
+"""Each learner as it is where nothing else is said, by its name."""
 
 
 def with_categories(

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from prospect_mj.agent import state_arrays
+from prospect_mj.agent.action_numbers import INSERTS, SWAPS_TO
 from prospect_mj.agent.choice import (
     Choice,
     allowed_actions,
@@ -27,10 +28,6 @@ from prospect_mj.agent.settings import TableSettings
 from prospect_mj.checks import check_integer
 
 N_ORIENTATIONS = 2
-SWAPS_TO = (3, 2)
-"""The action that hands the jar to the left and to the right hand."""
-INSERTS = (4, 5)
-"""The action that inserts what the left and the right hand holds."""
 
 
 class TableQ:

@@ -11,7 +11,7 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from prospect_mj.agent.features import StateFeatureGenerator
-from prospect_mj.agent.haptics import haptic_states
+from prospect_mj.agent.haptics import LEFT, NONE, RIGHT, haptic_states
 from prospect_mj.envs.observation import FeatureObserver
 from prospect_mj.envs.reset_options import ResetOptions
 from prospect_mj.envs.settings import PickPlaceSettings
@@ -20,7 +20,7 @@ from prospect_mj.envs.touch import NO_CATEGORY
 from prospect_mj.envs.trials import drawn_orientation
 from prospect_mj.recording.batch import RecordedBatch
 from prospect_mj.recording.felt import category_of_nodes
-from prospect_mj.recording.hands import LEFT, NONE, RIGHT, hand_of
+from prospect_mj.recording.hands import hand_of
 from prospect_mj.recording.presenter import Presenter
 from prospect_mj.recording.recording import Recording
 

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.actions.action import ActionResult
+from prospect_mj.agent.haptics import NONE
 from prospect_mj.errors import RecordingError
 from prospect_mj.haptics import TrajectoryModels, categories, phase_samples
 from prospect_mj.recording.arrays import Nodes
-from prospect_mj.recording.hands import NONE
 from prospect_mj.recording.recording import Recording
 
 _NOWHERE = -1

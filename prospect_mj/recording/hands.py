@@ -4,10 +4,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.actions.action import Action
+from prospect_mj.agent.haptics import LEFT, NONE, RIGHT
 from prospect_mj.recording.worlds import WORLDS
 from prospect_mj.robot.names import SIDES, Side
-
-NONE, LEFT, RIGHT = 0, 1, 2
 
 NUMBERS: dict[Side, int] = {"left": LEFT, "right": RIGHT}
 

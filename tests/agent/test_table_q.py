@@ -7,7 +7,6 @@ from told import Draws, random_steps, seen, step
 from prospect_mj.actions.action import Action
 from prospect_mj.agent import TableQ, TableSettings
 from prospect_mj.agent.haptics import n_haptic
-from prospect_mj.agent.table_q import INSERTS, SWAPS_TO
 from prospect_mj.errors import InvalidChoice, InvalidValue
 
 LID_LEFT, LID_RIGHT = 0, 1
@@ -116,11 +115,6 @@ def test_known_correction_holds_for_every_category_of_the_grasp():
     assert [v[Action.INSERT_LEFT] for v in values] == [0, -1, -1, 0, 0]
     swaps = [v[Action.SWAP_RIGHT_TO_LEFT] for v in values]
     assert swaps == pytest.approx([0, 0, 0, -1.99, -1.99])
-
-
-def test_actions_are_those_of_the_task():
-    swaps = Action.SWAP_RIGHT_TO_LEFT, Action.SWAP_LEFT_TO_RIGHT
-    assert (*SWAPS_TO, *INSERTS) == (*swaps, Action.INSERT_LEFT, Action.INSERT_RIGHT)
 
 
 def test_replays_repeat_what_was_experienced():

@@ -13,13 +13,13 @@ from ideal_grower import SECONDS, grown_tree
 import prospect_mj  # noqa: F401  (registers the environment)
 from prospect_mj import paths
 from prospect_mj.agent.features import StateFeatureGenerator
+from prospect_mj.agent.haptics import LEFT, RIGHT
 from prospect_mj.envs.pick_place import PickPlaceEnv
 from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.errors import InvalidChoice, InvalidValue, RecordingError
 from prospect_mj.recording import provenance
 from prospect_mj.recording.config import RecordingConfig
 from prospect_mj.recording.growing import GrowingRecording
-from prospect_mj.recording.hands import LEFT, RIGHT
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
 from prospect_mj.task.presentation import ORIENTATIONS, PresentationSettings

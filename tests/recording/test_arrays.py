@@ -8,10 +8,10 @@ import pytest
 from ideal_grower import INSERTED, INSERTIONS, grown_tree, key
 
 from prospect_mj.actions.action import Action, ActionResult
+from prospect_mj.agent.haptics import LEFT, NONE, RIGHT
 from prospect_mj.errors import RecordingError
 from prospect_mj.recording import soundness
 from prospect_mj.recording.arrays import UNKNOWN
-from prospect_mj.recording.hands import LEFT, NONE, RIGHT
 from prospect_mj.recording.node_table import tabulated
 from prospect_mj.recording.recording import Recording
 from prospect_mj.recording.task import RecordedTask

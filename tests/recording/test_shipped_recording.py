@@ -5,17 +5,11 @@ import pytest
 
 from prospect_mj import paths
 from prospect_mj.actions.action import Action
+from prospect_mj.agent.haptics import LEFT, RIGHT
 from prospect_mj.recording import provenance, shipped
 from prospect_mj.recording.arrays import UNKNOWN
 from prospect_mj.recording.config import RecordingConfig
-from prospect_mj.recording.hands import (
-    INSERTIONS,
-    LEFT,
-    RIGHT,
-    hand_of,
-    inserting_hand,
-    number_of,
-)
+from prospect_mj.recording.hands import INSERTIONS, hand_of, inserting_hand, number_of
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
 from prospect_mj.recording.worlds import STANDARD

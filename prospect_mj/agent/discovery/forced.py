@@ -3,9 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from prospect_mj.agent.action_numbers import GRASPS, INSERTS
 from prospect_mj.agent.settings import DiscoverySettings
 
-ACTIONS = {"grasp": (0, 1), "insert": (4, 5)}
+ACTIONS = {"grasp": GRASPS, "insert": INSERTS}
 """Numbers of the actions of a kind, by either hand."""
 
 

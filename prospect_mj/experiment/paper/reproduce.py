@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from prospect_mj.agent.haptics import LEFT, RIGHT
 from prospect_mj.experiment.paper.ablation import ablation_table, choices
 from prospect_mj.experiment.paper.figures import pictures
 from prospect_mj.experiment.paper.figures.captions import LIVE
@@ -29,7 +30,6 @@ from prospect_mj.experiment.populations.scenario import PopulationSettings
 from prospect_mj.experiment.populations.speed import Speed, measured_speed
 from prospect_mj.experiment.populations.store import Kept, Store
 from prospect_mj.experiment.report_folder import REPORT, Kind, ReportFolder
-from prospect_mj.recording.hands import LEFT, RIGHT
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
 

@@ -6,26 +6,15 @@ from typing import NamedTuple
 
 from prospect_mj.agent import (
     AnyLearnerSettings,
-    DiscoverySettings,
     Learner,
-    LinearSettings,
-    ReplaySettings,
-    TableSettings,
 )
+from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.populations.plain import learn_plainly
 from prospect_mj.experiment.populations.population import learn
 from prospect_mj.experiment.populations.programme import Programme
 from prospect_mj.experiment.populations.scenario import PopulationSettings, Scenario
 from prospect_mj.experiment.text_table import aligned
 from prospect_mj.recording.recording import Recording
-
-LEARNERS: tuple[AnyLearnerSettings, ...] = (
-    LinearSettings(),
-    ReplaySettings(),
-    TableSettings(),
-    DiscoverySettings(),
-)
-"""All learners as they are by default, the linear one first."""
 
 _COMPILED = Scenario(trials=1000, pretrain=400)
 _PLAIN = Scenario(trials=60, pretrain=20)
@@ -49,7 +38,7 @@ class Cost(NamedTuple):
 
 def measured_costs(
     recording: Recording,
-    learners: Sequence[AnyLearnerSettings] = LEARNERS,
+    learners: Sequence[AnyLearnerSettings] = tuple(DEFAULTS.values()),
     runs: int = 5,
 ) -> list[Cost]:
     """What some learners cost, in time of the processor.

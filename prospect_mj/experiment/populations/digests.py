@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from prospect_mj import paths
-from prospect_mj.experiment.populations.world import World
+from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 from prospect_mj.experiment.run.fingerprint import learner_digest
 from prospect_mj.recording.provenance import code_digest, sha256, source_digest
 from prospect_mj.recording.recording import Recording
@@ -26,7 +26,7 @@ _SHARED_CODE = (
             "shown",
             "spread",
             "strategies",
-            "world",
+            "recorded_world",
         )
     ),
     "recording/choices.py",
@@ -60,7 +60,7 @@ def recording_digest(recording: Recording) -> str:
     return sha256(json.dumps(parts).encode())
 
 
-def world_digest(world: World) -> str:
+def world_digest(world: RecordedWorld) -> str:
     """One digest of a recording and the categories of its grasps, if there are any."""
     digest = recording_digest(world.recording)
     if world.category is None:

@@ -3,11 +3,11 @@
 import numpy as np
 
 from prospect_mj.actions.action import Action
-from prospect_mj.agent.haptics import haptic_states
+from prospect_mj.agent.haptics import LEFT, NONE, RIGHT, haptic_states
 from prospect_mj.experiment.populations.kernels.graph import Graph
-from prospect_mj.experiment.populations.world import World
+from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 from prospect_mj.recording.choices import choice_sets
-from prospect_mj.recording.hands import GRASPS, INSERTIONS, LEFT, NONE, RIGHT, SWAPS
+from prospect_mj.recording.hands import GRASPS, INSERTIONS, SWAPS
 from prospect_mj.recording.recording import Recording
 from prospect_mj.supervisor.supervisor import Supervisor
 
@@ -17,14 +17,16 @@ _NODES_PER_LID = 4
 _INSERTED = 3
 
 
-def recorded_graph(recording: Recording | World, supervisor: Supervisor) -> Graph:
+def recorded_graph(
+    recording: Recording | RecordedWorld, supervisor: Supervisor
+) -> Graph:
     """What really happened, with the choices that a supervisor offers.
 
     Args:
         recording: the outcomes of physics, with categories of grasps or without.
         supervisor: its mode and its shaping schedule decide on the choices.
     """
-    world = World.of(recording)
+    world = RecordedWorld.of(recording)
     nodes, predicates = world.recording.nodes, world.recording.predicates
     category = 0 if world.category is None else world.category
     # Copies: numba compiles anew for arrays that are read-only or not contiguous.

@@ -13,12 +13,12 @@ from prospect_mj.checks import check_integer
 from prospect_mj.experiment.populations.compiled_learner import Walked, run_trials
 from prospect_mj.experiment.populations.kernels.graph import Graph, Outcomes, Trials
 from prospect_mj.experiment.populations.programme import Programme, Run
+from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 from prospect_mj.experiment.populations.scenario import (
     PopulationSettings,
     Scenario,
 )
 from prospect_mj.experiment.populations.strategies import classify, first_hand
-from prospect_mj.experiment.populations.world import World
 from prospect_mj.experiment.run.records import ACTION_NAMES
 from prospect_mj.recording.recording import Recording
 
@@ -106,11 +106,11 @@ class Learned(NamedTuple):
 
 
 def run_population(
-    recording: Recording | World,
+    recording: Recording | RecordedWorld,
     scenario: Scenario,
     settings: PopulationSettings | None = None,
     jobs: int = 1,
-    then: Recording | World | None = None,
+    then: Recording | RecordedWorld | None = None,
     tick: Callable[[], object] = lambda: None,
 ) -> Population:
     """Let a population learn.
@@ -142,7 +142,7 @@ def run_population(
 
 
 def look_into(
-    recording: Recording | World,
+    recording: Recording | RecordedWorld,
     scenario: Scenario,
     settings: PopulationSettings,
     look: Callable[[Learner], Looked],

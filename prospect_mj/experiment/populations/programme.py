@@ -14,16 +14,16 @@ from numpy.typing import NDArray
 
 from prospect_mj.agent import AnyLearnerSettings, Learner, new_learner
 from prospect_mj.agent.features import StateFeatureGenerator
+from prospect_mj.agent.haptics import LEFT, RIGHT
 from prospect_mj.checks import check_integer
 from prospect_mj.experiment.populations.compiled_learner import rule_of
 from prospect_mj.experiment.populations.kernels.graph import Rule, Trials
 from prospect_mj.experiment.populations.outcome_graph import joined, recorded_graph
+from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 from prospect_mj.experiment.populations.scenario import PopulationSettings, Scenario
 from prospect_mj.experiment.populations.shown import Shown
 from prospect_mj.experiment.populations.spread import drawn_settings
-from prospect_mj.experiment.populations.world import World
 from prospect_mj.recording.choices import phases
-from prospect_mj.recording.hands import LEFT, RIGHT
 from prospect_mj.recording.recording import Recording
 from prospect_mj.supervisor.supervisor import Supervisor
 from prospect_mj.task.presentation import ORIENTATIONS
@@ -81,10 +81,10 @@ class Programme:
 
     def __init__(
         self,
-        recording: Recording | World,
+        recording: Recording | RecordedWorld,
         scenario: Scenario,
         settings: PopulationSettings,
-        then: Recording | World | None = None,
+        then: Recording | RecordedWorld | None = None,
     ) -> None:
         """Find the presentations that are complete, and scale their histograms.
 
@@ -94,7 +94,7 @@ class Programme:
                 has, or their categories are not those of the settings.
         """
         given = (recording,) if then is None else (recording, then)
-        self.worlds = tuple(map(World.of, given))
+        self.worlds = tuple(map(RecordedWorld.of, given))
         self._check_worlds(scenario, settings)
         self.settings, self._scenario = settings, scenario
         self.supervisor = Supervisor(settings.supervisor, settings.shaping)

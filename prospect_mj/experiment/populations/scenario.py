@@ -9,7 +9,7 @@ from prospect_mj.agent import (
     LinearSettings,
     ReplaySettings,
 )
-from prospect_mj.agent.failed_actions import FailedActions
+from prospect_mj.agent.failed_actions import RULES, FailedActions
 from prospect_mj.agent.haptics import n_features, n_haptic
 from prospect_mj.checks import check_choice, check_integer, check_number
 from prospect_mj.errors import InvalidValue
@@ -99,8 +99,7 @@ class PopulationSettings:
             )
         check_number("image noise", self.image_noise, 0, 10)
         check_choice("pictures", self.pictures, get_args(Pictures))
-        rules = get_args(FailedActions)
-        check_choice("rule for failed actions", self.failed_actions, rules)
+        check_choice("rule for failed actions", self.failed_actions, RULES)
         check_integer("haptic categories", self.categories, 0, 100)
         self._check_learner()
 

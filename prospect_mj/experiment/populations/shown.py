@@ -6,10 +6,10 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from prospect_mj.agent.haptics import LEFT
 from prospect_mj.experiment.populations.outcome_graph import HANDS
+from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 from prospect_mj.experiment.populations.scenario import Scenario
-from prospect_mj.experiment.populations.world import World
-from prospect_mj.recording.hands import LEFT
 from prospect_mj.task.presentation import ORIENTATIONS
 
 Numbers = dict[int, NDArray[np.intp]]
@@ -35,7 +35,7 @@ class Shown(NamedTuple):
     """For each world and side of the lid, those that are complete."""
 
     @classmethod
-    def of(cls, worlds: Sequence[World], max_actions: int) -> Self:
+    def of(cls, worlds: Sequence[RecordedWorld], max_actions: int) -> Self:
         """Those of some worlds.
 
         Args:

@@ -26,8 +26,8 @@ from prospect_mj.experiment.populations.population import (
     look_into,
     run_population,
 )
+from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 from prospect_mj.experiment.populations.scenario import PopulationSettings, Scenario
-from prospect_mj.experiment.populations.world import World
 from prospect_mj.experiment.run.records import ACTION_NAMES
 from prospect_mj.recording.provenance import installed_versions, sha256
 from prospect_mj.recording.recording import Recording
@@ -96,14 +96,20 @@ class Store:
         jobs: threads.
     """
 
-    def __init__(self, folder: Path, recording: Recording | World, jobs: int) -> None:
+    def __init__(
+        self, folder: Path, recording: Recording | RecordedWorld, jobs: int
+    ) -> None:
         """Open the folder.
 
         Raises:
             RunFolderError: if there is a file, or it can't be made.
         """
         make_folder(folder, RunFolderError)
-        self._folder, self._world, self._jobs = folder, World.of(recording), jobs
+        self._folder, self._world, self._jobs = (
+            folder,
+            RecordedWorld.of(recording),
+            jobs,
+        )
         self._used: set[Path] = set()
         self._codes: dict[str, str] = {}
         self._base = {
@@ -115,7 +121,7 @@ class Store:
         self,
         scenario: Scenario,
         settings: PopulationSettings,
-        then: Recording | World | None = None,
+        then: Recording | RecordedWorld | None = None,
         tick: Callable[[], object] = lambda: None,
     ) -> Kept:
         """Read a population, or let it learn and keep it.
@@ -129,7 +135,9 @@ class Store:
         Raises:
             RunFolderError: if its file is damaged; it is left as it is.
         """
-        changes = {"then": None if then is None else world_digest(World.of(then))}
+        changes = {
+            "then": None if then is None else world_digest(RecordedWorld.of(then))
+        }
         decides = self._decides(scenario, settings) | changes
         file = self._file("dominant" if scenario.pretrain else "baseline", decides)
         if file.path.exists():

@@ -14,7 +14,8 @@ from enum import IntEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from prospect_mj.recording.hands import GRASPS, INSERTIONS, LEFT, NONE, RIGHT, SWAPS
+from prospect_mj.agent.haptics import LEFT, NONE, RIGHT
+from prospect_mj.recording.hands import GRASPS, INSERTIONS, SWAPS
 from prospect_mj.task.presentation import Orientation
 
 Booleans = NDArray[np.bool_]

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Self, get_args
 
-from prospect_mj.agent.failed_actions import FailedActions
+from prospect_mj.agent.failed_actions import RULES, FailedActions
 from prospect_mj.agent.features import FeatureSettings
 from prospect_mj.agent.haptics import n_features, n_haptic
 from prospect_mj.agent.learners import settings_of
@@ -97,8 +97,7 @@ class TrainConfig:
             raise InvalidValue(
                 "bootstrap at truncation", self.bootstrap_at_truncation, "true or false"
             )
-        rules = get_args(FailedActions)
-        check_choice("failed actions", self.failed_actions, rules)
+        check_choice("failed actions", self.failed_actions, RULES)
         if not isinstance(self.haptic_models, TrajectoryModels | None):
             expected = "TrajectoryModels, or None"
             raise InvalidValue("haptic models", self.haptic_models, expected)

@@ -5,7 +5,7 @@ not.
 """
 
 from collections.abc import Callable
-from typing import NamedTuple, get_args
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,12 +13,10 @@ from numpy.typing import NDArray
 from prospect_mj.agent import Learner, Observation, Transition
 from prospect_mj.agent.choice import Choice
 from prospect_mj.agent.failed_actions import FailedActionRule
-from prospect_mj.agent.features import Holding
+from prospect_mj.agent.features import HOLDINGS
 from prospect_mj.experiment.run.environment import Environment, Info
 from prospect_mj.experiment.run.records import ACTION_NAMES, ActionRecord, TrialRecord
 from prospect_mj.task.presentation import ORIENTATIONS, Orientation
-
-_HOLDINGS = get_args(Holding)
 
 
 class Presented(NamedTuple):
@@ -101,7 +99,7 @@ def run(
 
 def _holding(info: Info) -> int:
     """0 none, 1 left, 2 right."""
-    return _HOLDINGS.index(info["holding"])
+    return HOLDINGS.index(info["holding"])
 
 
 def _allowed_after(taken: _Taken, rule: FailedActionRule) -> NDArray[np.bool_]:

@@ -2,11 +2,11 @@
 
 import numpy as np
 
+from prospect_mj.agent.haptics import LEFT, RIGHT
 from prospect_mj.experiment.paper.measures.sample import Resampling, Sample
 from prospect_mj.experiment.populations.population import Population
 from prospect_mj.experiment.populations.scenario import Scenario
 from prospect_mj.experiment.populations.strategies import Strategy
-from prospect_mj.recording.hands import LEFT, RIGHT
 
 ACTIONS = np.array([2, 3, 4, 10], np.int8)
 """Actions of a trial with each strategy; what fits none is cut off here."""

@@ -5,6 +5,7 @@ import pytest
 from numpy.lib.stride_tricks import sliding_window_view
 from synthetic import of_strategies
 
+from prospect_mj.agent.haptics import RIGHT
 from prospect_mj.experiment.paper.measures import easy_trials, learning
 from prospect_mj.experiment.paper.measures.bootstrap import (
     band,
@@ -16,7 +17,6 @@ from prospect_mj.experiment.paper.measures.curves import KindCounts, RunCounts
 from prospect_mj.experiment.paper.measures.sample import Pair
 from prospect_mj.experiment.populations.scenario import Scenario
 from prospect_mj.experiment.populations.strategies import Strategy
-from prospect_mj.recording.hands import RIGHT
 
 OPTIMAL, EARLY, LATE, OTHER = Strategy
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from synthetic import of_strategies, pair
 
+from prospect_mj.agent.haptics import LEFT, NONE, RIGHT
 from prospect_mj.experiment.paper.measures import corrections
 from prospect_mj.experiment.paper.measures.bootstrap import band, times_drawn
 from prospect_mj.experiment.paper.measures.curves import (
@@ -13,7 +14,6 @@ from prospect_mj.experiment.paper.measures.curves import (
 )
 from prospect_mj.experiment.populations.scenario import Scenario
 from prospect_mj.experiment.populations.strategies import Strategy
-from prospect_mj.recording.hands import LEFT, NONE, RIGHT
 
 OPTIMAL, EARLY, LATE, OTHER = Strategy
 

@@ -3,13 +3,13 @@
 import numpy as np
 from synthetic import of_strategies, pair, sampled
 
+from prospect_mj.agent.haptics import LEFT, RIGHT
 from prospect_mj.experiment.paper.measures import infants
 from prospect_mj.experiment.paper.measures.stages import stages
 from prospect_mj.experiment.paper.measures.target import Verdict
 from prospect_mj.experiment.paper.report import report_infants
 from prospect_mj.experiment.populations.scenario import Scenario
 from prospect_mj.experiment.populations.strategies import Strategy
-from prospect_mj.recording.hands import LEFT, RIGHT
 
 GRIPS, PREFERENCE, EASY, DOMINANCE, LATE_FIRST = range(5)
 BEGINNING, HEIGHT, END = (400, 500), (650, 750), (900, 1000)

@@ -2,10 +2,10 @@ import numpy as np
 import pytest
 from synthetic import of_strategies, pair, sampled
 
+from prospect_mj.agent.haptics import LEFT, RIGHT
 from prospect_mj.experiment.paper.measures import stages
 from prospect_mj.experiment.populations.scenario import Scenario
 from prospect_mj.experiment.populations.strategies import Strategy
-from prospect_mj.recording.hands import LEFT, RIGHT
 
 
 def test_stages_are_the_beginning_the_height_of_corrections_and_the_end():

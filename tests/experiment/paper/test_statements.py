@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from synthetic import of_strategies, pair, sampled
 
+from prospect_mj.agent.haptics import LEFT, RIGHT
 from prospect_mj.experiment.paper.measures import (
     corrections,
     easy_trials,
@@ -23,7 +24,6 @@ from prospect_mj.experiment.paper.measures.target import Target, Verdict, about,
 from prospect_mj.experiment.paper.report import report_statements
 from prospect_mj.experiment.populations.scenario import Scenario
 from prospect_mj.experiment.populations.strategies import Strategy
-from prospect_mj.recording.hands import LEFT, RIGHT
 
 INF, NAN = np.inf, np.nan
 FALL = next(m for s in STATEMENTS for m in s.measures if "5_to_3" in m.name)

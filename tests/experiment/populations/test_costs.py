@@ -9,8 +9,8 @@ from prospect_mj.agent import (
     TableSettings,
     new_learner,
 )
+from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.populations.costs import (
-    LEARNERS,
     Cost,
     measured_costs,
     n_bytes,
@@ -38,7 +38,7 @@ def test_what_is_remembered_counts_too():
 
 
 def test_every_learner_is_in_the_benchmark_the_linear_one_first():
-    names = [settings.name for settings in LEARNERS]
+    names = [settings.name for settings in DEFAULTS.values()]
     assert names == ["linear", "replay", "table", "discovery"]
 
 

@@ -7,6 +7,7 @@ import pytest
 from ideal_recording import ideal, recording
 
 from prospect_mj.agent import LinearSettings
+from prospect_mj.agent.haptics import LEFT, RIGHT
 from prospect_mj.errors import InvalidChoice, InvalidValue, RecordingError
 from prospect_mj.experiment.populations.optimum import optimum
 from prospect_mj.experiment.populations.plain import learn_plainly
@@ -23,7 +24,6 @@ from prospect_mj.experiment.populations.speed import measured_speed
 from prospect_mj.experiment.populations.strategies import Strategy, easy
 from prospect_mj.recording.config import RecordingConfig
 from prospect_mj.recording.grower import presentation_rng
-from prospect_mj.recording.hands import LEFT, RIGHT
 from prospect_mj.recording.recording import Recording
 from prospect_mj.task.presentation import ORIENTATIONS
 

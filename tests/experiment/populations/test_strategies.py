@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from prospect_mj.agent.haptics import LEFT, NONE, RIGHT
 from prospect_mj.experiment.populations.strategies import (
     Grip,
     Strategy,
@@ -11,7 +12,6 @@ from prospect_mj.experiment.populations.strategies import (
     first_grip,
     first_hand,
 )
-from prospect_mj.recording.hands import LEFT, NONE, RIGHT
 
 # As if the lid lay to the left: "good" is the left hand. A swap is named for its giver.
 ACTIONS = {

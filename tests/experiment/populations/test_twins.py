@@ -15,8 +15,8 @@ from prospect_mj.agent import (
 from prospect_mj.experiment.populations.plain import learn_plainly
 from prospect_mj.experiment.populations.population import learn
 from prospect_mj.experiment.populations.programme import Programme
+from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 from prospect_mj.experiment.populations.scenario import PopulationSettings, Scenario
-from prospect_mj.experiment.populations.world import World
 from prospect_mj.recording.recording import Recording
 
 FAST = LinearSettings(step_size=0.02, epsilon=0.1, initial_sd=0.0)
@@ -121,7 +121,7 @@ def with_categories(recorded, categories):
     """Any category in any node: what a learner is told need not be true."""
     rng = np.random.default_rng(1)
     category = rng.integers(0, categories, len(recorded.nodes.child))
-    return World(recorded, categories, category)
+    return RecordedWorld(recorded, categories, category)
 
 
 @pytest.mark.parametrize("reading", ["product", "one_hot"])

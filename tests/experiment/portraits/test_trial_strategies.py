@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from prospect_mj.actions.action import Action
+from prospect_mj.agent.haptics import LEFT, RIGHT
 from prospect_mj.experiment.populations.strategies import Strategy
 from prospect_mj.experiment.portraits.trial_strategies import (
     SET,
@@ -17,7 +18,6 @@ from prospect_mj.experiment.run.records import (
     action_table,
     trial_table,
 )
-from prospect_mj.recording.hands import LEFT, RIGHT
 
 GL, GR, LR, RL, IL, IR = Action
 # What was done with the lid on one side, and what that is called. The jar is inserted

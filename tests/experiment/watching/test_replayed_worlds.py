@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from prospect_mj.agent.haptics import LEFT, RIGHT
 from prospect_mj.envs.settings import PickPlaceSettings
 from prospect_mj.errors import RunFolderError
 from prospect_mj.experiment.run import fingerprint, session
@@ -20,7 +21,7 @@ from prospect_mj.experiment.watching.presented_again import present_again
 from prospect_mj.experiment.watching.replayed import Choice
 from prospect_mj.experiment.watching.shown import Shown
 from prospect_mj.recording import worlds
-from prospect_mj.recording.hands import LEFT, RIGHT, inserting_hand
+from prospect_mj.recording.hands import inserting_hand
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.worlds import WORLDS, World
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from prospect_mj.experiment.paper.measures.target import Verdict
 
 
-class Row(NamedTuple):
+class Subject(NamedTuple):
     """A learner under a rule for failed actions."""
 
     learner: str
@@ -35,8 +35,8 @@ class Claim:
     """For what rests on it."""
 
 
-AS_PAPER = Row("linear", "allowed")
-CONJECTURED = Row("discovery", "suppressed")
+AS_PAPER = Subject("linear", "allowed")
+CONJECTURED = Subject("discovery", "suppressed")
 STAGED = CONJECTURED.learner, "replay"
 """Learners of which stages are claimed, whatever world; others are asked the same."""
 

@@ -6,7 +6,7 @@ from prospect_mj.experiment.development.claims.claim import (
     AS_PAPER,
     CONJECTURED,
     Claim,
-    Row,
+    Subject,
 )
 from prospect_mj.experiment.development.claims.criteria import (
     LIKE_INFANTS,
@@ -26,11 +26,11 @@ from prospect_mj.experiment.development.claims.single_runs import (
 )
 from prospect_mj.experiment.paper.measures.target import Verdict
 
-Asked = Mapping[Row, Mapping[str, Judged]]
+Asked = Mapping[Subject, Mapping[str, Judged]]
 """Criteria by their names, of every row."""
 
 
-def asked(rows: Mapping[Row, Findings], criteria: Sequence[Criterion]) -> Asked:
+def asked(rows: Mapping[Subject, Findings], criteria: Sequence[Criterion]) -> Asked:
     """Ask the same of all."""
     return {
         row: {one.name: one.judge(findings) for one in criteria}
@@ -38,12 +38,12 @@ def asked(rows: Mapping[Row, Findings], criteria: Sequence[Criterion]) -> Asked:
     }
 
 
-def developing(rows: Mapping[Row, Findings]) -> dict[Row, Verdict]:
+def developing(rows: Mapping[Subject, Findings]) -> dict[Subject, Verdict]:
     """Whether each row develops as infants do, by all criteria together."""
     return {row: develops(findings) for row, findings in rows.items()}
 
 
-def claims(rows: Mapping[Row, Findings]) -> list[Claim]:
+def claims(rows: Mapping[Subject, Findings]) -> list[Claim]:
     """All claims, of the rows that are there."""
     found = []
     if AS_PAPER in rows:
@@ -60,7 +60,7 @@ def _evidence(criteria: Mapping[str, Judged]) -> str:
     return "; ".join(f"{name}: {judged.words}" for name, judged in criteria.items())
 
 
-def _paper(rows: Mapping[Row, Findings]) -> Claim:
+def _paper(rows: Mapping[Subject, Findings]) -> Claim:
     judged = asked({AS_PAPER: rows[AS_PAPER]}, UNLIKE_INFANTS)[AS_PAPER]
     return Claim(
         "The paper's learner, free to repeat a failed action, is unlike infants in the "
@@ -72,7 +72,7 @@ def _paper(rows: Mapping[Row, Findings]) -> Claim:
     )
 
 
-def _conjecture(rows: Mapping[Row, Findings]) -> Claim:
+def _conjecture(rows: Mapping[Subject, Findings]) -> Claim:
     judged = asked({CONJECTURED: rows[CONJECTURED]}, LIKE_INFANTS)[CONJECTURED]
     return Claim(
         "A learner that discovers features as it needs them, and does not repeat what "
@@ -84,7 +84,7 @@ def _conjecture(rows: Mapping[Row, Findings]) -> Claim:
     )
 
 
-def _not_necessary(rows: Mapping[Row, Findings]) -> Claim:
+def _not_necessary(rows: Mapping[Subject, Findings]) -> Claim:
     others = {
         row: verdict
         for row, verdict in developing(rows).items()
@@ -125,7 +125,9 @@ _OF_SINGLE_RUNS = (
 """Each with the words of the claim."""
 
 
-def _shared(rows: Mapping[Row, Findings], criterion: Criterion, words: str) -> Claim:
+def _shared(
+    rows: Mapping[Subject, Findings], criterion: Criterion, words: str
+) -> Claim:
     """A claim on the learner of the conjecture, and of whom else it holds."""
     judged = {row: criterion.judge(findings) for row, findings in rows.items()}
     its = judged.pop(CONJECTURED)

@@ -6,7 +6,7 @@ from typing import Self
 
 import numpy as np
 
-from prospect_mj.experiment.development.measures.ages import Found, ages, in_order
+from prospect_mj.experiment.development.measures.ages import AgeFound, ages, in_order
 from prospect_mj.experiment.development.measures.changes import Changes
 from prospect_mj.experiment.development.measures.development import Development
 from prospect_mj.experiment.development.measures.measures import MEASURES, order
@@ -36,7 +36,7 @@ class Findings:
     """Share of the runs whose median late correction is before the median early one."""
     changes: Changes
     """From late to early corrections, run by run."""
-    ages: tuple[Found, ...]
+    ages: tuple[AgeFound, ...]
     """Where the patterns of infants are found."""
     ages_in_order: float
     """Share of the resamples in which they all are, one after the other [1]."""

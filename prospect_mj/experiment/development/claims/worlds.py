@@ -19,19 +19,22 @@ from prospect_mj.experiment.development.claims.criteria import (
     together,
 )
 
-ORDER, ALL = "order in every world", "as infants in every world"
+ORDER_EVERYWHERE, DEVELOPS_EVERYWHERE = (
+    "order in every world",
+    "as infants in every world",
+)
 
 Worlds = Mapping[str, Figures]
 """What a learner comes to, by the name of the world."""
 
 _ASKED: Mapping[str, tuple[str, Callable[[Figures], Judged]]] = MappingProxyType(
     {
-        ORDER: (
+        ORDER_EVERYWHERE: (
             "In every world of pictures that was tried, late corrections are gone "
             "before early ones.",
             LATE_GONE_FIRST.judge,
         ),
-        ALL: (
+        DEVELOPS_EVERYWHERE: (
             "In every world of pictures that was tried, the learner develops as "
             "infants do, by all criteria.",
             partial(together, LIKE_INFANTS),

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 
 from prospect_mj.experiment.development.claims.criteria import CONFIDENT
 from prospect_mj.experiment.development.figures.grid import Grid, Size, grid, name
-from prospect_mj.experiment.development.figures.intervals import NEVER
+from prospect_mj.experiment.development.figures.intervals import BEYOND
 from prospect_mj.experiment.development.study.measured import Measured
 from prospect_mj.experiment.paper.figures.figure_frame import (
     GREEN,
@@ -21,7 +21,7 @@ from prospect_mj.experiment.run.plots import png
 _KINDS = {"late_gone": VERMILION, "early_gone": GREEN}
 _LEAD = "#d9e8d9"
 _WIDTH = 0.5
-_TOP = NEVER + 130
+_TOP = BEYOND + 130
 """Of a panel [trials], with room for words."""
 
 Find = Callable[[str, str, float], Measured]
@@ -71,7 +71,7 @@ def _draw(axes: Axes, rows: Sequence[Measured]) -> None:
             if isnan(found.estimate):
                 continue
             low, value, high = (
-                min(part, NEVER) if not isnan(part) else found.estimate
+                min(part, BEYOND) if not isnan(part) else found.estimate
                 for part in (found.low, found.estimate, found.high)
             )
             axes.plot([place, place], [low, high], color=colour, linewidth=1.4)

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from prospect_mj.agent.features import N_BINS
 from prospect_mj.experiment.development.figures.grid import name, tidy
-from prospect_mj.experiment.development.study.found import Found, Range, Says
+from prospect_mj.experiment.development.study.found import Discovered, Range, Says
 from prospect_mj.experiment.development.study.pictures import NO_JAR, JarPicture
 from prospect_mj.experiment.paper.figures.figure_frame import (
     BLUE,
@@ -35,7 +35,7 @@ what each grey level says to a learner, in the same colours; below: features of 
 of the discovery learner, dashed what is taken off; right: the pixels of these levels"""
 
 
-def found(what: Found, pictures: Sequence[JarPicture]) -> bytes:
+def found(what: Discovered, pictures: Sequence[JarPicture]) -> bytes:
     """Draw it.
 
     Args:
@@ -92,7 +92,9 @@ def _is_weighed(one: Says) -> bool:
     return one.learner != "discovery"
 
 
-def _draw_levels(axes: Axes, what: Found, one: Says, ranges: Sequence[Range]) -> None:
+def _draw_levels(
+    axes: Axes, what: Discovered, one: Says, ranges: Sequence[Range]
+) -> None:
     tidy(axes)
     name(axes, f"{one.learner}: {one.context}, {one.runs} runs")
     highest = 1.15 * max(v.max() for v in what.v.values())
@@ -110,7 +112,7 @@ def _draw_levels(axes: Axes, what: Found, one: Says, ranges: Sequence[Range]) ->
     axes.spines["left"].set_visible(False)
 
 
-def _draw_range(axes: Axes, one: Range, height: float, what: Found) -> None:
+def _draw_range(axes: Axes, one: Range, height: float, what: Discovered) -> None:
     """A feature as a line below the histograms, dashed where it is taken off."""
     difference = what.v["left"] - what.v["right"]
     more = difference[one.begin : one.end].sum()

@@ -17,7 +17,7 @@ from prospect_mj.experiment.paper.figures.figure_frame import (
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
 from prospect_mj.experiment.run.plots import png
 
-NEVER = 660
+BEYOND = 660
 """Where what is never gone is drawn [trials]; six hundred follow the pretraining."""
 
 _ROW = 0.21
@@ -44,10 +44,10 @@ class Column(NamedTuple):
     per_cent: bool = False
 
 
-GONE = Column(
+GONE_COLUMN = Column(
     "trials until gone",
     (Dots("late_gone", "late", VERMILION), Dots("early_gone", "early", GREEN)),
-    NEVER + 20,
+    BEYOND + 20,
 )
 STRETCHES = Column(
     "longest stretch [trials]",
@@ -55,7 +55,7 @@ STRETCHES = Column(
         Dots("dominance", "corrections > optimal", "#8c5a00"),
         Dots("early_lead", "and early > late", GREEN),
     ),
-    NEVER,
+    BEYOND,
 )
 EASY = Column(
     "optimal [%]",
@@ -76,7 +76,7 @@ def intervals(
     title: str,
     of: str,
     rows: Mapping[str, Mapping[str, Interval]],
-    columns: Sequence[Column] = (GONE, STRETCHES, EASY),
+    columns: Sequence[Column] = (GONE_COLUMN, STRETCHES, EASY),
 ) -> bytes:
     """Draw measures of some rows.
 
@@ -114,7 +114,7 @@ def _dot(
         return
     scale = 100.0 if column.per_cent else 1.0
     low, value, high = (
-        min(scale * one, NEVER) if not isnan(one) else scale * found.estimate
+        min(scale * one, BEYOND) if not isnan(one) else scale * found.estimate
         for one in (found.low, found.estimate, found.high)
     )
     axes.plot(

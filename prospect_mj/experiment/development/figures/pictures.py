@@ -3,6 +3,8 @@
 from collections.abc import Iterator
 from functools import partial
 
+from prospect_mj.agent.failed_actions import RULES
+from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.figures import (
     crossed,
     found,
@@ -15,7 +17,7 @@ from prospect_mj.experiment.development.figures.rivals import learning_curves
 from prospect_mj.experiment.development.figures.shares import Panel
 from prospect_mj.experiment.development.haptics.haptics import HapticResults
 from prospect_mj.experiment.development.haptics.touch import TOUCHES
-from prospect_mj.experiment.development.study import causal, haptic_rows, learners
+from prospect_mj.experiment.development.study import causal, haptic_rows
 from prospect_mj.experiment.development.study.pictures import jar_pictures
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.recording.recording import Recording
@@ -57,11 +59,8 @@ def pictures(results: Results, recording: Recording) -> Iterator[tuple[str, byte
 def _strategies(results: Results) -> bytes:
     rows = {(one.row.name, one.row.rule): one for one in results.learners}
     panels = [
-        [
-            Panel(f"{name}, {rule}", rows[name, rule].development)
-            for rule in ("allowed", "suppressed")
-        ]
-        for name in learners.LEARNERS
+        [Panel(f"{name}, {rule}", rows[name, rule].development) for rule in RULES]
+        for name in DEFAULTS
     ]
     of = f"{_BANDS}; {_DOTTED}\nleft: failed actions allowed; right: suppressed"
     return shares.shares("Strategies in difficult trials", of, panels)
@@ -131,7 +130,7 @@ def _change(results: Results) -> bytes:
             for world in results.extent.changes
             for trials in ("difficult", "easy")
         ]
-        for name in learners.LEARNERS
+        for name in DEFAULTS
     ]
     title = "After the world has changed"
     return shares.shares(title, _BANDS, panels, "trial after the change")

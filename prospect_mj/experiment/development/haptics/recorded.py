@@ -2,13 +2,14 @@
 
 import numpy as np
 
+from prospect_mj.agent.haptics import NONE
 from prospect_mj.experiment.development.haptics.grasp import (
     CRADLE,
     HAND_OVER,
     Grasp,
 )
 from prospect_mj.recording.felt import check_felt, known_samples, parents, taken
-from prospect_mj.recording.hands import NONE, hand_of
+from prospect_mj.recording.hands import hand_of
 from prospect_mj.recording.recording import Recording
 
 _FIRST_TWO = 2

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.experiment.development.haptics.grasp import BODY, LID
-from prospect_mj.experiment.populations.world import World
+from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 from prospect_mj.haptics import TrajectoryModels
 from prospect_mj.recording.felt import category_of_nodes
 from prospect_mj.recording.recording import Recording
@@ -20,13 +20,15 @@ TOUCHES: tuple[Touch, ...] = get_args(Touch)
 BITS, CATEGORY, END = TOUCHES
 
 
-def worlds(recording: Recording, models: TrajectoryModels) -> dict[Touch, World]:
+def worlds(
+    recording: Recording, models: TrajectoryModels
+) -> dict[Touch, RecordedWorld]:
     """The same outcomes, by what is told of a grasp."""
     category = category_of_nodes(recording, models)
     return {
-        BITS: World(recording),
-        CATEGORY: World(recording, len(models), category),
-        END: World(recording, len((BODY, LID)), ends_of_nodes(recording)),
+        BITS: RecordedWorld(recording),
+        CATEGORY: RecordedWorld(recording, len(models), category),
+        END: RecordedWorld(recording, len((BODY, LID)), ends_of_nodes(recording)),
     }
 
 

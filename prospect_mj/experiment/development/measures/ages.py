@@ -47,7 +47,7 @@ class Age:
     """(b, w)."""
 
 
-class Found(NamedTuple):
+class AgeFound(NamedTuple):
     """Where an age's pattern was found."""
 
     age: Age
@@ -115,18 +115,18 @@ def _means(shares: Floats, blocks: int) -> Floats:
     return mean_of_sets(view)
 
 
-def ages(development: Development, blocks: int = 2) -> list[Found]:
+def ages(development: Development, blocks: int = 2) -> list[AgeFound]:
     """Where each age's pattern is found, in windows of so many blocks."""
     once, many = (windows(curves, blocks) for curves in development)
     return [_found(age, once, many, blocks) for age in AGES]
 
 
-def _found(age: Age, once: Window, many: Window, blocks: int) -> Found:
+def _found(age: Age, once: Window, many: Window, blocks: int) -> AgeFound:
     where = np.flatnonzero(age.holds(once)[0])
     share = float(age.holds(many).any(axis=1).mean())
     if not len(where):
-        return Found(age, np.nan, np.nan, share)
-    return Found(age, BLOCK * where[0], BLOCK * (where[-1] + blocks) - 1, share)
+        return AgeFound(age, np.nan, np.nan, share)
+    return AgeFound(age, BLOCK * where[0], BLOCK * (where[-1] + blocks) - 1, share)
 
 
 def in_order(development: Development, blocks: int = 2) -> float:

@@ -7,6 +7,7 @@ brings a number to the abstract one.
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.report.abstract_numbers import (
     ABSTRACT,
     COMPARED,
@@ -14,12 +15,12 @@ from prospect_mj.experiment.development.report.abstract_numbers import (
     Key,
 )
 from prospect_mj.experiment.development.report.command import command
-from prospect_mj.experiment.development.study import abstract_rows, learners
+from prospect_mj.experiment.development.study import abstract_rows
 from prospect_mj.experiment.development.study.abstract_rows import (
     BOTH,
     CHANGES,
-    LOOKS,
     NOTHING,
+    PICTURES,
     Change,
 )
 from prospect_mj.experiment.development.study.ideal_outcomes import IdealOutcomes
@@ -65,7 +66,7 @@ class _Rows(NamedTuple):
     def asked(self) -> list[Key]:
         """Rows without changes that have an abstract one, of who knows of a change."""
         kept = {(name, rule) for name, rule, _ in self.by_key}
-        return [key for key in ABSTRACT if key in kept and key[0] in LOOKS]
+        return [key for key in ABSTRACT if key in kept and key[0] in PICTURES]
 
     def find(self, key: Key, change: Change) -> Measured:
         """The row of a learner with what it knows of a change."""
@@ -126,7 +127,7 @@ def _cell(rows: _Rows, each: Compared, key: Key, change: Change) -> str:
 
 def _because(rows: _Rows, each: Compared, key: Key, left: str) -> str:
     """Which change is the reason, in words."""
-    if key[0] not in learners.LEARNERS:
+    if key[0] not in DEFAULTS:
         return "not asked, as it is a control"
     known = [name for name, one in CHANGES.items() if one.known_to(key[0]) == one]
     if not known:

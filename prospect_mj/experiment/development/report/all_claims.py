@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from prospect_mj.experiment.development.claims.change import soonest, stages_again
-from prospect_mj.experiment.development.claims.claim import CONJECTURED, Claim, Row
+from prospect_mj.experiment.development.claims.claim import CONJECTURED, Claim, Subject
 from prospect_mj.experiment.development.claims.claims import between_learners, claims
 from prospect_mj.experiment.development.claims.findings import Findings
 from prospect_mj.experiment.development.claims.worlds import world_claims
@@ -25,9 +25,9 @@ def all_claims(results: Results) -> dict[Part, list[Claim]]:
     return {part: made for part, made in found.items() if made}
 
 
-def by_row(learners: list[Told]) -> dict[Row, Findings]:
+def by_row(learners: list[Told]) -> dict[Subject, Findings]:
     """What is claimed of, by learner and rule."""
-    return {Row(one.row.name, one.row.rule): one.findings for one in learners}
+    return {Subject(one.row.name, one.row.rule): one.findings for one in learners}
 
 
 def spread(results: Results) -> dict[str, Findings]:

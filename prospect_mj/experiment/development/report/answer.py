@@ -7,17 +7,17 @@ from prospect_mj.experiment.development.claims.claim import (
     AS_PAPER,
     CONJECTURED,
     Claim,
-    Row,
+    Subject,
 )
 from prospect_mj.experiment.development.claims.claims import claims, developing
 from prospect_mj.experiment.development.claims.findings import Findings
-from prospect_mj.experiment.development.claims.worlds import ORDER
+from prospect_mj.experiment.development.claims.worlds import ORDER_EVERYWHERE
 from prospect_mj.experiment.development.measures.measures import MEASURES
 from prospect_mj.experiment.development.report.needs import NEEDS
 from prospect_mj.experiment.paper.measures.quantity import with_interval
 from prospect_mj.experiment.paper.measures.target import Verdict
 
-Rows = Mapping[Row, Findings]
+Rows = Mapping[Subject, Findings]
 
 _SHOWS = {
     Verdict.HOLDS: "Yes",
@@ -36,7 +36,7 @@ _OTHER_PARTS = {
             Verdict.OPEN: "may need both",
         },
     ),
-    ORDER: (
+    ORDER_EVERYWHERE: (
         "With discovery late corrections {} before early ones in every world of "
         "pictures that was tried.",
         {
@@ -70,7 +70,7 @@ def answer(rows: Rows, found: Iterable[Claim] = ()) -> str:
     return " ".join(part for part in parts if part)
 
 
-def _conjecture(rows: Rows, said: Mapping[Row, Verdict]) -> str:
+def _conjecture(rows: Rows, said: Mapping[Subject, Verdict]) -> str:
     if CONJECTURED not in rows:
         return ""
     kinds = {one.name: one.kind for one in MEASURES}
@@ -88,7 +88,7 @@ def _conjecture(rows: Rows, said: Mapping[Row, Verdict]) -> str:
     )
 
 
-def _others(said: Mapping[Row, Verdict]) -> str:
+def _others(said: Mapping[Subject, Verdict]) -> str:
     """Which of the learners without discovery do the same."""
     like = [
         row.words

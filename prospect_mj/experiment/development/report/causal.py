@@ -14,7 +14,7 @@ from prospect_mj.experiment.development.measures.measures import (
     late_most,
     optimal_last,
 )
-from prospect_mj.experiment.development.report.cells import ORDER, order
+from prospect_mj.experiment.development.report.cells import ORDER_TITLE, order
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.study.causal import (
     CACHES,
@@ -109,7 +109,7 @@ def causal(results: Results) -> Iterator[str]:
 
 def _one_by_one(rows: Iterable[Measured]) -> str:
     titles = (one.title for one in _MEASURES)
-    head = ("", "insertion split", "grasp split", *titles, ORDER)
+    head = ("", "insertion split", "grasp split", *titles, ORDER_TITLE)
     return table((*head, "as infants"), map(_cells, rows))
 
 

@@ -8,10 +8,10 @@ from prospect_mj.experiment.paper.measures.measure import Measure
 from prospect_mj.experiment.paper.measures.quantity import Kind, number, with_interval
 from prospect_mj.experiment.paper.report.markdown import table
 
-ORDER = "Late gone first"
+ORDER_TITLE = "Late gone first"
 ORDER_DEFINED = (
-    f"- *{ORDER}*: Share of the resamples that have both kinds of corrections, and "
-    "late ones gone before early ones."
+    f"- *{ORDER_TITLE}*: Share of the resamples that have both kinds of corrections, "
+    "and late ones gone before early ones."
 )
 
 
@@ -27,7 +27,7 @@ def measured_table(
         rows: what these columns have, and the numbers.
         measures: the other columns, besides the order.
     """
-    head = (*first, "runs", *(one.title for one in measures), ORDER)
+    head = (*first, "runs", *(one.title for one in measures), ORDER_TITLE)
     return table(head, [(*names, *_cells(one, measures)) for names, one in rows])
 
 

@@ -16,7 +16,7 @@ from prospect_mj.experiment.development.study.after import (
 from prospect_mj.experiment.development.study.found import MOST_RUNS
 from prospect_mj.experiment.development.study.population import SPREADS
 from prospect_mj.experiment.development.study.results import Results
-from prospect_mj.experiment.development.study.world_rows import AFTER
+from prospect_mj.experiment.development.study.world_rows import TRIALS_AFTER
 from prospect_mj.experiment.paper.report.markdown import definitions, table
 from prospect_mj.experiment.populations.spread import Spread
 
@@ -90,7 +90,7 @@ def worlds(results: Results) -> Iterator[str]:
 def change(results: Results) -> Iterator[str]:
     """A world that changes, a piece at a time."""
     yield "## A world that changes"
-    yield _CHANGE.format(trials=AFTER).rstrip()
+    yield _CHANGE.format(trials=TRIALS_AFTER).rstrip()
     yield "![Strategies after the change](figures/change.png)"
     head = "change to", "learner"
     names = [(one.row.then, one.row.name) for one in results.change]

@@ -20,7 +20,7 @@ from prospect_mj.experiment.development.report.haptics_compared import (
     Telling,
     tellings,
 )
-from prospect_mj.experiment.development.study.measured import Shown
+from prospect_mj.experiment.development.study.measured import MeasuredCurves
 from prospect_mj.experiment.paper.measures.measure import Measure
 
 _CLASSES = {
@@ -34,7 +34,7 @@ _UNKNOWN = "not better than by chance, as far as so few presentations show"
 _TOLD = {BITS: "the hand", CATEGORY: "the category", END: "the very end"}
 
 
-def answer(told: pa.Table, rows: Iterable[Shown]) -> str:
+def answer(told: pa.Table, rows: Iterable[MeasuredCurves]) -> str:
     """The answer to both questions, a list each.
 
     Args:

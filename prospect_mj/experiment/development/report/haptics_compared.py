@@ -5,7 +5,7 @@ from math import isfinite, isnan
 from typing import NamedTuple
 
 from prospect_mj.experiment.development.haptics.touch import BITS, Touch
-from prospect_mj.experiment.development.study.measured import Shown
+from prospect_mj.experiment.development.study.measured import MeasuredCurves
 from prospect_mj.experiment.paper.measures.bootstrap import LEVEL, Interval
 from prospect_mj.experiment.paper.measures.measure import Measure
 from prospect_mj.experiment.paper.measures.quantity import Kind, number, with_interval
@@ -83,8 +83,8 @@ class Telling(NamedTuple):
     """A learner that is told more, beside the same told the hand only."""
 
     learner: str
-    usual: Shown
-    told: Shown
+    usual: MeasuredCurves
+    told: MeasuredCurves
 
     @property
     def touch(self) -> Touch:
@@ -97,9 +97,9 @@ class Telling(NamedTuple):
         return Compared(measure, *both)
 
 
-def tellings(rows: Iterable[Shown]) -> Iterator[Telling]:
+def tellings(rows: Iterable[MeasuredCurves]) -> Iterator[Telling]:
     """All of them: each learner told each thing more."""
-    usual: dict[str, Shown] = {}
+    usual: dict[str, MeasuredCurves] = {}
     others = []
     for one in rows:
         if one.row.touch == BITS:

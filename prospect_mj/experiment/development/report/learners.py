@@ -3,13 +3,14 @@
 from collections.abc import Iterator
 from math import isnan
 
+from prospect_mj.agent.failed_actions import RULES
 from prospect_mj.experiment.development.claims.claims import (
     asked,
     developing,
 )
 from prospect_mj.experiment.development.claims.criteria import LIKE_INFANTS
 from prospect_mj.experiment.development.claims.findings import Findings
-from prospect_mj.experiment.development.measures.ages import AGES, Found
+from prospect_mj.experiment.development.measures.ages import AGES, AgeFound
 from prospect_mj.experiment.development.measures.measures import MEASURES
 from prospect_mj.experiment.development.report.all_claims import by_row
 from prospect_mj.experiment.development.report.cells import (
@@ -49,7 +50,7 @@ def learners(results: Results) -> Iterator[str]:
     yield "## Every learner under both rules"
     yield _SCENARIO.rstrip()
     yield "![Strategies of the four learners](figures/strategies.png)"
-    for rule in ("allowed", "suppressed"):
+    for rule in RULES:
         of_rule = [one for one in rows if one.row.rule == rule]
         yield f"### Failed actions {rule}"
         named = [((one.row.name,), one.measured) for one in of_rule]
@@ -87,7 +88,7 @@ def _stage_cells(findings: Findings) -> list[str]:
     return [*map(_stage, findings.ages), order(findings.ages_in_order)]
 
 
-def _stage(found: Found) -> str:
+def _stage(found: AgeFound) -> str:
     share = f"{100 * found.resamples:.0f} %"
     if isnan(found.first):
         return f"none ({share})"

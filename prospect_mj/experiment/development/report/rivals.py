@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 import numpy as np
 
+from prospect_mj.agent.failed_actions import RULES
 from prospect_mj.experiment.development.figures.rivals import NAMES
 from prospect_mj.experiment.development.rivals.planner.model_errors import FLIP, KINDS
 from prospect_mj.experiment.development.rivals.rivals import (
@@ -150,7 +151,7 @@ def _errors(results: RivalResults, kind: str) -> str:
     unit = "probability of the other side" if kind == FLIP else f"{kind}, error [mm]"
     sign = "g" if kind == FLIP else "+g"
     lines = [(f"{error:{sign}}", *words) for error, words in cells.items()]
-    return table((unit, "allowed", "suppressed"), lines)
+    return table((unit, *RULES), lines)
 
 
 def _where_it_breaks(results: RivalResults) -> str:

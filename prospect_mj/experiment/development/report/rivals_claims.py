@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator, Mapping
 from itertools import groupby, product
-from typing import Any, get_args
+from typing import Any
 
-from prospect_mj.agent.failed_actions import FailedActions
+from prospect_mj.agent.failed_actions import RULES
 from prospect_mj.experiment.development.claims.claim import Claim
 from prospect_mj.experiment.development.claims.criteria import all_of
 from prospect_mj.experiment.development.figures.rivals import NAMES
@@ -74,7 +74,7 @@ def _less(its: Interval, other: Interval) -> Verdict:
 
 def _planning(results: RivalResults) -> Iterator[Claim]:
     rows = results.errors.to_pylist()
-    for kind, rule in product((WIDTH, LID), get_args(FailedActions)):
+    for kind, rule in product((WIDTH, LID), RULES):
         of_kind = [
             row for row in rows if row["kind"] == kind and row["failed_actions"] == rule
         ]

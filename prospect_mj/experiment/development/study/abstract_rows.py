@@ -10,13 +10,13 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import NamedTuple
 
-from prospect_mj.agent.failed_actions import FailedActions
+from prospect_mj.agent.failed_actions import RULES, FailedActions
 from prospect_mj.agent.features import FeatureSettings
-from prospect_mj.experiment.development.study.learners import LEARNERS
+from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.study.made_up import MadeUp
-from prospect_mj.experiment.development.study.rows import RULES, Row, population
+from prospect_mj.experiment.development.study.rows import Row, population
 from prospect_mj.experiment.development.study.settings import StudySettings
-from prospect_mj.experiment.populations.world import World
+from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 from prospect_mj.recording.recording import Recording
 from prospect_mj.recording.worlds import STANDARD
 
@@ -26,7 +26,7 @@ _OTHER = FeatureSettings(reading="one_hot")
 _DRAWS = 0, 0, 0
 """Key of the numbers that pictures are made of: longer than those of the rows."""
 
-LOOKS: Mapping[str, MadeUp] = MappingProxyType(
+PICTURES: Mapping[str, MadeUp] = MappingProxyType(
     {
         "linear": MadeUp(cosine=0.8, noise=0.05),
         "replay": MadeUp(cosine=0.8, noise=0.05),
@@ -49,7 +49,7 @@ class Change(NamedTuple):
     def known_to(self, learner: str) -> "Change":
         """What is left of it for a learner."""
         return Change(
-            self.pictures and learner in LOOKS, self.reading and learner in READERS
+            self.pictures and learner in PICTURES, self.reading and learner in READERS
         )
 
 
@@ -69,7 +69,7 @@ def rows(study: StudySettings) -> list[Row]:
     return [
         _row(study, name, rule, change)
         for rule in RULES
-        for name in LEARNERS
+        for name in DEFAULTS
         for change in _changes(name)
     ]
 
@@ -82,16 +82,16 @@ def key(name: str, rule: str, change: Change) -> tuple[str, str, str]:
     return _title(name, change), rule, _world(change)
 
 
-def worlds(recording: Recording, study: StudySettings) -> dict[str, World]:
+def worlds(recording: Recording, study: StudySettings) -> dict[str, RecordedWorld]:
     """The recorded outcomes with made-up pictures, by the name of the learner."""
     return {
-        name: World(look.presented(recording, study.rng(*_DRAWS)))
-        for name, look in LOOKS.items()
+        name: RecordedWorld(look.presented(recording, study.rng(*_DRAWS)))
+        for name, look in PICTURES.items()
     }
 
 
 def _row(study: StudySettings, name: str, rule: FailedActions, change: Change) -> Row:
-    settings = population(study, LEARNERS[name], rule)
+    settings = population(study, DEFAULTS[name], rule)
     if change.reading:
         settings = replace(settings, features=_OTHER)
     return Row("learners", _title(name, change), settings, world=_world(change))

@@ -19,7 +19,7 @@ from prospect_mj.experiment.development.measures.measures import (
     easy_worst,
     order,
 )
-from prospect_mj.experiment.development.study.measured import Measured, Shown
+from prospect_mj.experiment.development.study.measured import Measured, MeasuredCurves
 from prospect_mj.experiment.paper.measures.bootstrap import Floats
 from prospect_mj.experiment.paper.measures.curves import (
     LONG,
@@ -79,7 +79,7 @@ def easy_last(curves: Curves) -> Floats:
     return mean_of_sets(easy(curves, Strategy.OPTIMAL)[:, -LONG:])
 
 
-AFTER = (again, easy_errors, difficult_errors, easy_last, *MEASURES)
+MEASURES_AFTER = (again, easy_errors, difficult_errors, easy_last, *MEASURES)
 """Of the trials after a change, in the order of tables."""
 OF_A_KIND = tuple(one for one in MEASURES if one is not easy_worst)
 """Of trials of one kind."""
@@ -92,7 +92,7 @@ def from_the_change(population: Population) -> Population:
     return replace(population, scenario=scenario)
 
 
-def of_formerly_easy(shown: Shown) -> Measured:
+def of_formerly_easy(shown: MeasuredCurves) -> Measured:
     """A row after a change, its formerly easy trials in place of the difficult ones."""
     swapped = Development(
         *(replace(c, easy=c.difficult, difficult=c.easy) for c in shown.development)

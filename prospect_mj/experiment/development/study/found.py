@@ -23,22 +23,15 @@ from prospect_mj.agent import Learner, LinearQ
 from prospect_mj.agent.discovery import DiscoveryQ
 from prospect_mj.agent.discovery.detector import BETTER, WORSE, Detector
 from prospect_mj.agent.features import N_BINS
+from prospect_mj.agent.haptics import LEFT, NONE, RIGHT
+from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.rivals.kept import code
-from prospect_mj.experiment.development.study.learners import LEARNERS
 from prospect_mj.experiment.development.study.learning import Laboratory
 from prospect_mj.experiment.development.study.looks import histograms
 from prospect_mj.experiment.development.study.rows import population
 from prospect_mj.experiment.development.study.settings import DOMINANT, StudySettings
 from prospect_mj.experiment.populations.store import Look
-from prospect_mj.recording.hands import (
-    GRASPS,
-    INSERTIONS,
-    LEFT,
-    NONE,
-    NUMBERS,
-    RIGHT,
-    SWAPS,
-)
+from prospect_mj.recording.hands import GRASPS, INSERTIONS, NUMBERS, SWAPS
 
 Floats = NDArray[np.float64]
 
@@ -114,7 +107,7 @@ class Says(NamedTuple):
     """(100,) [1], above 0 for the lid on the left."""
 
 
-class Found(NamedTuple):
+class Discovered(NamedTuple):
     """See the module."""
 
     v: Mapping[str, Floats]
@@ -140,7 +133,7 @@ class Found(NamedTuple):
         return pa.concat_tables([pa.table(one, schema=LEVELS) for one in columns])
 
 
-def find(laboratory: Laboratory, study: StudySettings) -> Found:
+def find(laboratory: Laboratory, study: StudySettings) -> Discovered:
     """Look into some learners, which learn once more where that was not done before.
 
     Args:
@@ -154,7 +147,7 @@ def find(laboratory: Laboratory, study: StudySettings) -> Found:
     for name in WEIGHED:
         says.append(_weighed(name, _seen(laboratory, study, name, weights)))
     example = [Range(*(row[n] for n in Range._fields)) for row in discovered[0]]
-    return Found(v, says, example)
+    return Discovered(v, says, example)
 
 
 def features(learner: DiscoveryQ) -> list[Line]:
@@ -198,7 +191,7 @@ def _seen(
 ) -> list[list[Line]]:
     """Rows of every run."""
     runs = min(study.runs, MOST_RUNS)
-    settings = replace(population(study, LEARNERS[name], size="runs"), runs=runs)
+    settings = replace(population(study, DEFAULTS[name], size="runs"), runs=runs)
     look = Look(see, _SEEN, code(_CODE))
     seen: list[list[Line]] = [[] for _ in range(runs)]
     for row in laboratory.looked_into(DOMINANT, settings, look).to_pylist():

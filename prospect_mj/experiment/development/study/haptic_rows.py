@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping
 
+from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.haptics.touch import Touch
-from prospect_mj.experiment.development.study.learners import LEARNERS
 from prospect_mj.experiment.development.study.rows import Row, population
 from prospect_mj.experiment.development.study.settings import StudySettings
 
@@ -22,7 +22,7 @@ def rows(study: StudySettings, categories: Mapping[Touch, int]) -> list[Row]:
         Row(
             "haptics",
             name,
-            population(study, LEARNERS[name], categories=number),
+            population(study, DEFAULTS[name], categories=number),
             touch=touch,
         )
         for name in FEELING

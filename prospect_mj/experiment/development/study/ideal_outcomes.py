@@ -7,13 +7,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from prospect_mj.agent.haptics import LEFT
 from prospect_mj.experiment.populations.outcome_graph import (
     HANDS,
     ideal_graph,
     ideal_root,
 )
 from prospect_mj.recording.arrays import UNKNOWN
-from prospect_mj.recording.hands import LEFT
 from prospect_mj.recording.recording import Recording
 
 

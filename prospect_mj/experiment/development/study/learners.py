@@ -5,26 +5,17 @@ from types import MappingProxyType
 
 from prospect_mj.agent import (
     AnyLearnerSettings,
-    DiscoverySettings,
     LinearSettings,
-    ReplaySettings,
     TableSettings,
 )
-from prospect_mj.experiment.development.study.rows import RULES, Row, population
+from prospect_mj.agent.failed_actions import RULES
+from prospect_mj.agent.learners import DEFAULTS
+from prospect_mj.experiment.development.study.rows import Row, population
 from prospect_mj.experiment.development.study.settings import StudySettings
 
 _SLOW = 0.02
 """Step size of the tables that have a habit [1], as in the feasibility study."""
 
-LEARNERS: Mapping[str, AnyLearnerSettings] = MappingProxyType(
-    {
-        "linear": LinearSettings(),
-        "replay": ReplaySettings(),
-        "table": TableSettings(),
-        "discovery": DiscoverySettings(),
-    }
-)
-"""By name."""
 CONTROLS: Mapping[str, AnyLearnerSettings] = MappingProxyType(
     {
         "linear, step .02": LinearSettings(step_size=0.02),
@@ -51,5 +42,5 @@ def rows(study: StudySettings) -> list[Row]:
     return [
         Row("learners", name, population(study, learner, rule, "runs"))
         for rule in RULES
-        for name, learner in {**LEARNERS, **CONTROLS}.items()
+        for name, learner in {**DEFAULTS, **CONTROLS}.items()
     ]

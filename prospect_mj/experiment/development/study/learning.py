@@ -8,9 +8,9 @@ import pyarrow as pa
 from prospect_mj.experiment.development.study.recordings import Recordings
 from prospect_mj.experiment.development.study.rows import Row
 from prospect_mj.experiment.populations.population import Population
+from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 from prospect_mj.experiment.populations.scenario import PopulationSettings, Scenario
 from prospect_mj.experiment.populations.store import Kept, Look, Store
-from prospect_mj.experiment.populations.world import World
 from prospect_mj.recording.worlds import STANDARD
 
 FOLDER = "populations"
@@ -51,7 +51,7 @@ class Laboratory:
         self._others: list[Store] = []
         self.learning_seconds = 0.0
 
-    def learned(self, row: Row, world: World | None = None) -> Population:
+    def learned(self, row: Row, world: RecordedWorld | None = None) -> Population:
         """The population of a row.
 
         Args:
@@ -89,7 +89,7 @@ class Laboratory:
         unused = [set(store.unused()) for store in stores]
         return sorted(set.intersection(*unused))
 
-    def _open(self, world: World) -> Store:
+    def _open(self, world: RecordedWorld) -> Store:
         """The folder of populations, for those that begin in another world."""
         store = Store(self._folder, world, self._jobs)
         self._others.append(store)

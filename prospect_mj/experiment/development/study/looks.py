@@ -21,7 +21,7 @@ from prospect_mj.recording.recording import Recording
 
 Floats = NDArray[np.float64]
 
-LOOKS = pa.schema(
+LOOKS_SCHEMA = pa.schema(
     {
         "world": pa.string(),
         "pictures": pa.int32(),
@@ -62,14 +62,14 @@ def looks(by_side: dict[str, Floats]) -> Looks:
 
 
 def table(recordings: Recordings, worlds: Iterable[str]) -> pa.Table:
-    """The looks of some worlds, under `LOOKS`."""
+    """The looks of some worlds, under `LOOKS_SCHEMA`."""
     rows = []
     for world in worlds:
         by_side = histograms(recordings.by_world[world])
         pictures = sum(map(len, by_side.values()))
         found = looks(by_side)._asdict()
         rows.append({"world": world, "pictures": pictures} | found)
-    return pa.Table.from_pylist(rows, schema=LOOKS)
+    return pa.Table.from_pylist(rows, schema=LOOKS_SCHEMA)
 
 
 def _cosine(one: Floats, other: Floats) -> float:

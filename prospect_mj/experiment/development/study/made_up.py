@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from prospect_mj.agent.features import N_BINS
+from prospect_mj.agent.haptics import LEFT
 from prospect_mj.checks import check_number
 from prospect_mj.recording.arrays import Presentations
-from prospect_mj.recording.hands import LEFT
 from prospect_mj.recording.recording import Recording
 
 Floats = NDArray[np.float64]

@@ -25,7 +25,7 @@ _NAMES = {
     "then": pa.string(),
     "touch": pa.string(),
 }
-MEASURED = pa.schema(
+MEASURED_SCHEMA = pa.schema(
     {
         **_NAMES,
         "runs": pa.int32(),
@@ -38,7 +38,7 @@ MEASURED = pa.schema(
 )
 """Trials or shares [1]; lacking: part of the resamples in which it is not there. The
 measure `order` is a share of the resamples, and has no interval."""
-SHARES = pa.schema(
+SHARES_SCHEMA = pa.schema(
     {
         **_NAMES,
         "trials": pa.string(),
@@ -51,7 +51,7 @@ SHARES = pa.schema(
 )
 """Share of the easy or the difficult trials [1] in a set of ten that begins with a
 trial, counted from the end of the pretraining."""
-SEQUENCES = pa.schema(
+SEQUENCES_SCHEMA = pa.schema(
     {
         **_NAMES,
         "sequence": pa.string(),
@@ -77,7 +77,7 @@ class Measured(NamedTuple):
     """Share of the resamples in which late corrections are gone before early ones."""
 
 
-class Shown(NamedTuple):
+class MeasuredCurves(NamedTuple):
     """A row in numbers, with its curves."""
 
     measured: Measured
@@ -124,7 +124,7 @@ def measured(
     population: Population,
     rng: np.random.Generator,
     measures: Sequence[Measure] = MEASURES,
-) -> Shown:
+) -> MeasuredCurves:
     """Measure a row's development, and the first splits of a discovery learner.
 
     Args:
@@ -139,23 +139,23 @@ def measured(
         splits = Splits.of(population, rng)
         found |= {INSERTION: splits.insertion, GRASP: splits.grasp}
     numbers = Measured(row, len(population.lid), found, order(development))
-    return Shown(numbers, development)
+    return MeasuredCurves(numbers, development)
 
 
 def measured_table(rows: Iterable[Measured]) -> pa.Table:
-    """All numbers, under `MEASURED`."""
+    """All numbers, under `MEASURED_SCHEMA`."""
     lines = [line for row in rows for line in _measured_lines(row)]
-    return pa.Table.from_pylist(lines, schema=MEASURED)
+    return pa.Table.from_pylist(lines, schema=MEASURED_SCHEMA)
 
 
 def shares_table(developments: Iterable[tuple[Row, Development]]) -> pa.Table:
-    """Curves of the strategies, under `SHARES`."""
+    """Curves of the strategies, under `SHARES_SCHEMA`."""
     lines = [line for pair in developments for line in _share_lines(*pair)]
-    return pa.Table.from_pylist(lines, schema=SHARES)
+    return pa.Table.from_pylist(lines, schema=SHARES_SCHEMA)
 
 
 def sequences_table(rows: Iterable[Told]) -> pa.Table:
-    """What single runs do, under `SEQUENCES`."""
+    """What single runs do, under `SEQUENCES_SCHEMA`."""
     lines = [
         _names(one.row)
         | {"sequence": words(found.sequence), "share": found.share.estimate}
@@ -163,7 +163,7 @@ def sequences_table(rows: Iterable[Told]) -> pa.Table:
         for one in rows
         for found in one.findings.sequences
     ]
-    return pa.Table.from_pylist(lines, schema=SEQUENCES)
+    return pa.Table.from_pylist(lines, schema=SEQUENCES_SCHEMA)
 
 
 def words(sequence: Sequence[Strategy]) -> str:

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
-from prospect_mj.experiment.development.study.learners import LEARNERS
+from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.study.rows import Row, population
 from prospect_mj.experiment.development.study.settings import StudySettings
 from prospect_mj.experiment.populations.scenario import PopulationSettings
@@ -35,4 +35,4 @@ def rows(study: StudySettings) -> list[Row]:
 
 
 def _alike(study: StudySettings, name: str) -> PopulationSettings:
-    return population(study, LEARNERS[name], size="runs")
+    return population(study, DEFAULTS[name], size="runs")

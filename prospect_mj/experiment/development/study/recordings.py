@@ -7,8 +7,8 @@ from typing import Self
 
 from prospect_mj.errors import RecordingError
 from prospect_mj.experiment.populations.digests import recording_digest
+from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 from prospect_mj.experiment.populations.scenario import PopulationSettings
-from prospect_mj.experiment.populations.world import World
 from prospect_mj.recording import shipped
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.recording import Recording
@@ -94,7 +94,7 @@ def _in(folder: Path, world: str) -> Path:
 
 def _check_end(world: str, recording: Recording) -> None:
     lid_first = WORLDS[world].lid_first
-    if World(recording).lid_first != lid_first:
+    if RecordedWorld(recording).lid_first != lid_first:
         end = "lid" if lid_first else "body"
         raise RecordingError(
             f"the recording of world {world} lacks the variation that the study asks "

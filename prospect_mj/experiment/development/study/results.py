@@ -9,9 +9,13 @@ import pyarrow as pa
 
 from prospect_mj.experiment.development.haptics.haptics import HapticResults
 from prospect_mj.experiment.development.rivals.rivals import RivalResults
-from prospect_mj.experiment.development.study.found import Found
+from prospect_mj.experiment.development.study.found import Discovered
 from prospect_mj.experiment.development.study.ideal_outcomes import IdealOutcomes
-from prospect_mj.experiment.development.study.measured import Measured, Shown, Told
+from prospect_mj.experiment.development.study.measured import (
+    Measured,
+    MeasuredCurves,
+    Told,
+)
 from prospect_mj.experiment.development.study.rows import Row
 from prospect_mj.experiment.development.study.settings import Extent, StudySettings
 from prospect_mj.experiment.populations.population import Population
@@ -47,14 +51,14 @@ class Results:
     """Spread populations."""
     looks: pa.Table | None = None
     """Under `looks.LOOKS`."""
-    worlds: list[Shown] = field(default_factory=list)
-    change: list[Shown] = field(default_factory=list)
+    worlds: list[MeasuredCurves] = field(default_factory=list)
+    change: list[MeasuredCurves] = field(default_factory=list)
     """After the change."""
     formerly_easy: list[Measured] = field(default_factory=list)
     """The same rows, of their formerly easy trials."""
-    found: Found | None = None
+    found: Discovered | None = None
     haptics: HapticResults | None = None
-    touches: list[Shown] = field(default_factory=list)
+    touches: list[MeasuredCurves] = field(default_factory=list)
     """Learners that are told more or less of a grasp."""
     rivals: RivalResults | None = None
     seconds: Mapping[str, float] = field(default_factory=dict)

@@ -15,8 +15,6 @@ from prospect_mj.experiment.development.study.settings import (
 from prospect_mj.experiment.populations.scenario import PopulationSettings, Scenario
 from prospect_mj.recording.worlds import STANDARD
 
-RULES: tuple[FailedActions, ...] = ("allowed", "suppressed")
-
 Size = Literal["runs", "fewer_runs"]
 
 

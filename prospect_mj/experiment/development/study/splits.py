@@ -5,7 +5,7 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from prospect_mj.agent.haptics import categories_of, holding_of
+from prospect_mj.agent.haptics import NONE, categories_of, holding_of
 from prospect_mj.experiment.paper.measures.bootstrap import (
     RESAMPLES,
     Interval,
@@ -13,9 +13,9 @@ from prospect_mj.experiment.paper.measures.bootstrap import (
     median,
 )
 from prospect_mj.experiment.populations.population import Population
-from prospect_mj.recording.hands import GRASPS, INSERTIONS, NONE, NUMBERS
+from prospect_mj.recording.hands import GRASPS, INSERTIONS, NUMBERS
 
-NEVER = -1
+NOT_SPLIT = -1
 
 
 class Splits(NamedTuple):
@@ -56,5 +56,5 @@ def _after(population: Population, holding: int, action: int) -> NDArray[np.floa
     categories = categories_of(len(states))
     of_hand = [state for state in states if holding_of(state, categories) == holding]
     split = population.splits[:, of_hand, action].astype(np.float64)
-    after = np.where(split == NEVER, np.inf, split - population.scenario.pretrain)
+    after = np.where(split == NOT_SPLIT, np.inf, split - population.scenario.pretrain)
     return after.min(axis=1)

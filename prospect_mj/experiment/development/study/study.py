@@ -5,6 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 from time import perf_counter
 
+from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.haptics import haptics, touch
 from prospect_mj.experiment.development.haptics.settings import HapticSettings
 from prospect_mj.experiment.development.rivals import rivals
@@ -23,7 +24,7 @@ from prospect_mj.experiment.development.study import (
     world_rows,
 )
 from prospect_mj.experiment.development.study.learning import Laboratory, Tell
-from prospect_mj.experiment.development.study.measured import Shown
+from prospect_mj.experiment.development.study.measured import MeasuredCurves
 from prospect_mj.experiment.development.study.recordings import Recordings
 from prospect_mj.experiment.development.study.results import Results, Single
 from prospect_mj.experiment.development.study.rows import Row
@@ -34,7 +35,7 @@ from prospect_mj.experiment.development.study.settings import (
     StudySettings,
 )
 from prospect_mj.experiment.paper.measures.measure import Measure
-from prospect_mj.experiment.populations.world import World
+from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 
 
 class Study:
@@ -97,7 +98,7 @@ class Study:
             learned = self._laboratory.learned(row)
             rng = self._settings.rng(PARTS.index("learners"), number)
             self._results.learners.append(measured.told(row, learned, rng))
-            if row.rule == "suppressed" and row.name in learners.LEARNERS:
+            if row.rule == "suppressed" and row.name in DEFAULTS:
                 self._results.singles.append(Single(row, learned))
         self._towards_abstract(len(rows))
 
@@ -135,7 +136,8 @@ class Study:
     def _change(self) -> None:
         rows = world_rows.changes(self._settings, self._extent.changes)
         self._results.change = [
-            self._shown(row, number, after.AFTER) for number, row in enumerate(rows)
+            self._shown(row, number, after.MEASURES_AFTER)
+            for number, row in enumerate(rows)
         ]
         changed = self._results.change
         self._results.formerly_easy = list(map(after.of_formerly_easy, changed))
@@ -145,8 +147,8 @@ class Study:
         row: Row,
         number: int,
         measures: tuple[Measure, ...] | None = None,
-        world: World | None = None,
-    ) -> Shown:
+        world: RecordedWorld | None = None,
+    ) -> MeasuredCurves:
         """A row's numbers and curves; with measures those after the change."""
         learned = self._laboratory.learned(row, world)
         rng = self._settings.rng(PARTS.index(row.part), number)

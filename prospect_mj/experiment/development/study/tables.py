@@ -6,7 +6,7 @@ import pyarrow as pa
 
 from prospect_mj.experiment.development.study.measured import (
     Measured,
-    Shown,
+    MeasuredCurves,
     Told,
     measured_table,
     sequences_table,
@@ -40,6 +40,6 @@ def tables(results: Results) -> dict[str, pa.Table]:
     return made
 
 
-def _measured(rows: list[Told | Shown]) -> Iterator[Measured]:
+def _measured(rows: list[Told | MeasuredCurves]) -> Iterator[Measured]:
     for row in rows:
         yield row.measured

@@ -3,21 +3,21 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from prospect_mj.experiment.development.study.learners import LEARNERS
+from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.study.rows import Row, population
 from prospect_mj.experiment.development.study.settings import DOMINANT, StudySettings
 
 SEEING = ("discovery", "linear", "replay")
 """Learners that know a trial by its picture only."""
-AFTER = 600
+TRIALS_AFTER = 600
 """Trials after the change."""
-CHANGING = replace(DOMINANT, then_trials=AFTER)
+CHANGING = replace(DOMINANT, then_trials=TRIALS_AFTER)
 
 
 def worlds(study: StudySettings, names: Sequence[str]) -> list[Row]:
     """Every learner in every world, failed actions being suppressed."""
     return [
-        Row("worlds", name, population(study, LEARNERS[name]), world=world)
+        Row("worlds", name, population(study, DEFAULTS[name]), world=world)
         for world in names
         for name in SEEING
     ]
@@ -28,5 +28,5 @@ def changes(study: StudySettings, names: Sequence[str]) -> list[Row]:
     return [
         Row("change", name, population(study, learner), CHANGING, then=world)
         for world in names
-        for name, learner in LEARNERS.items()
+        for name, learner in DEFAULTS.items()
     ]

@@ -8,7 +8,7 @@ from prospect_mj.agent.discovery.search import KEPT
 from prospect_mj.agent.features import N_BINS
 from prospect_mj.experiment.populations.kernels import cache
 from prospect_mj.experiment.populations.kernels.discovery_search import (
-    Found,
+    FoundDetector,
     detect,
     draw,
     explanation,
@@ -117,7 +117,7 @@ def _refine(
 
 @cache.called
 def _adopt(
-    state: DiscoveryState, haptic: int, action: int, one: Found, discount: float
+    state: DiscoveryState, haptic: int, action: int, one: FoundDetector, discount: float
 ) -> None:
     """Split a context by a detector, too; the weakest gives way if need be."""
     contexts = state.contexts

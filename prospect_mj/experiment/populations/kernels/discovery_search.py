@@ -21,7 +21,7 @@ from prospect_mj.experiment.populations.kernels.graph import N_ACTIONS
 Ranges = tuple[int, int, int, int]
 
 
-class Found(NamedTuple):
+class FoundDetector(NamedTuple):
     """A detector, as `detector.Detector`, the counts by class."""
 
     ranges: Ranges
@@ -64,7 +64,9 @@ def required(state: DiscoveryState, haptic: int, action: int) -> float:
 
 
 @cache.called
-def detect(state: DiscoveryState, haptic: int, action: int, ranges: Ranges) -> Found:
+def detect(
+    state: DiscoveryState, haptic: int, action: int, ranges: Ranges
+) -> FoundDetector:
     """A feature with the best cut-point for a context's examples."""
     examples, strengths = state.examples, state.sight.strengths
     total = (
@@ -78,7 +80,7 @@ def detect(state: DiscoveryState, haptic: int, action: int, ranges: Ranges) -> F
     worse, better = strengths[WORSE, : total[WORSE]], strengths[BETTER, : total[BETTER]]
     distance, cut = separation(worse, better)
     present = _above(worse, cut), _above(better, cut)
-    return Found(ranges, cut, distance, present, total)
+    return FoundDetector(ranges, cut, distance, present, total)
 
 
 @cache.called
@@ -128,10 +130,10 @@ def explanation(
     kind: int,
     least: float,
     rng: np.random.Generator,
-) -> tuple[bool, Found]:
+) -> tuple[bool, FoundDetector]:
     """The best detector that puts the trial's picture into its class, if any does."""
     contexts, picture = state.contexts, state.sight.picture
-    is_found, best = False, Found((0, 0, 0, 0), 0.0, least, (0, 0), (0, 0))
+    is_found, best = False, FoundDetector((0, 0, 0, 0), 0.0, least, (0, 0), (0, 0))
     if state.options.reuse:
         for h in range(contexts.mean.shape[0]):
             for a in range(N_ACTIONS):
@@ -152,7 +154,9 @@ def explanation(
 
 
 @cache.called
-def put(contexts: Contexts, haptic: int, action: int, slot: int, one: Found) -> None:
+def put(
+    contexts: Contexts, haptic: int, action: int, slot: int, one: FoundDetector
+) -> None:
     """Write a detector into a slot of a context."""
     for place in range(4):
         contexts.ranges[haptic, action, slot, place] = one.ranges[place]
@@ -164,7 +168,9 @@ def put(contexts: Contexts, haptic: int, action: int, slot: int, one: Found) -> 
 
 
 @cache.called
-def _is_better(one: Found, best: Found, picture: Floats, kind: int) -> bool:
+def _is_better(
+    one: FoundDetector, best: FoundDetector, picture: Floats, kind: int
+) -> bool:
     """Whether a detector is further apart, and puts a picture into its class."""
     if one.distance <= best.distance:
         return False
@@ -174,7 +180,7 @@ def _is_better(one: Found, best: Found, picture: Floats, kind: int) -> bool:
 
 
 @cache.called
-def _likelihood(one: Found, kind: int, is_there: bool) -> float:
+def _likelihood(one: FoundDetector, kind: int, is_there: bool) -> float:
     hits = one.present[kind] if is_there else one.total[kind] - one.present[kind]
     return (hits + 1) / (one.total[kind] + 2)
 

@@ -58,7 +58,7 @@ class Visits(NamedTuple):
     """(h 6, 6)."""
 
 
-class Sight(NamedTuple):
+class PresentTrial(NamedTuple):
     """What is known of the present trial."""
 
     picture: Floats
@@ -84,6 +84,6 @@ class DiscoveryState(NamedTuple):
     """(h, 6): the trial after which a context is split by force; -1: after none."""
     options: Options
     visits: Visits
-    sight: Sight
+    sight: PresentTrial
     n_trials: Whole
     """(1,): trials that have ended."""

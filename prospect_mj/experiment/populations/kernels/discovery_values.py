@@ -6,7 +6,7 @@ from prospect_mj.agent.discovery.contexts import WHOLE, Contexts
 from prospect_mj.agent.discovery.detector import BETTER, WORSE
 from prospect_mj.experiment.populations.kernels import cache
 from prospect_mj.experiment.populations.kernels.discovery_search import (
-    Found,
+    FoundDetector,
     measure,
     number,
     put,
@@ -77,7 +77,7 @@ def split(
 
 
 @cache.called
-def lend(state: DiscoveryState, haptic: int, action: int, found: Found) -> None:
+def lend(state: DiscoveryState, haptic: int, action: int, found: FoundDetector) -> None:
     """Split all other contexts by the detector of one, values as they were."""
     contexts = state.contexts
     for h in range(contexts.mean.shape[0]):

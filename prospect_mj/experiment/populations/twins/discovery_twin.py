@@ -11,7 +11,7 @@ from prospect_mj.experiment.populations.kernels import discovery
 from prospect_mj.experiment.populations.kernels.discovery_state import (
     DiscoveryState,
     Options,
-    Sight,
+    PresentTrial,
     Visits,
 )
 from prospect_mj.experiment.populations.kernels.graph import Trials
@@ -71,9 +71,9 @@ def _visits(settings: DiscoverySettings) -> Visits:
     )
 
 
-def _sight(settings: DiscoverySettings) -> Sight:
+def _sight(settings: DiscoverySettings) -> PresentTrial:
     shape = settings.n_haptic, settings.n_actions
-    return Sight(
+    return PresentTrial(
         picture=np.zeros(N_BINS + 1),
         orientation=np.zeros(1, np.int64),
         leaf=np.zeros(shape, np.int64),

@@ -4,7 +4,11 @@ import numpy as np
 import pytest
 from hand_made_runs import B, E, L, X, population
 
-from prospect_mj.experiment.development.claims.claim import AS_PAPER, CONJECTURED, Row
+from prospect_mj.experiment.development.claims.claim import (
+    AS_PAPER,
+    CONJECTURED,
+    Subject,
+)
 from prospect_mj.experiment.development.claims.claims import (
     asked,
     between_learners,
@@ -36,7 +40,7 @@ def said(found, words):
 
 
 def test_a_population_like_infants_meets_all_criteria():
-    row = Row("table", "suppressed")
+    row = Subject("table", "suppressed")
     judged = asked({row: findings(INFANT)}, LIKE_INFANTS)[row]
     assert {one.verdict for one in judged.values()} == {Verdict.HOLDS}
     assert "late 50, early 110; 100.0 % of the resamples" in {
@@ -57,7 +61,7 @@ def test_a_population_like_infants_meets_all_criteria():
     ],
 )
 def test_each_criterion_can_fail(runs, easy, failing):
-    row = Row("discovery", "suppressed")
+    row = Subject("discovery", "suppressed")
     rows = {row: findings(runs, easy=easy)}
     assert asked(rows, LIKE_INFANTS)[row][failing].verdict is Verdict.FAILS
     assert developing(rows)[row] is Verdict.FAILS
@@ -66,12 +70,12 @@ def test_each_criterion_can_fail(runs, easy, failing):
 def test_the_conjecture_is_asked_of_discovery_only_where_failures_are_suppressed():
     found = verdicts({CONJECTURED: findings(INFANT)})
     assert said(found, "discovers features as it needs") is Verdict.HOLDS
-    found = verdicts({Row("discovery", "allowed"): findings(INFANT)})
+    found = verdicts({Subject("discovery", "allowed"): findings(INFANT)})
     assert not [words for words in found if "discovers features" in words]
 
 
 def test_a_control_that_does_the_same_makes_discovery_unnecessary():
-    like = Row("replay", "suppressed")
+    like = Subject("replay", "suppressed")
     found = verdicts({CONJECTURED: findings(INFANT), like: findings(INFANT)})
     assert said(found, "not necessary") is Verdict.HOLDS
     found = verdicts({CONJECTURED: findings(INFANT), like: findings(AT_ONCE)})
@@ -128,7 +132,7 @@ def test_nothing_is_said_of_others_where_there_are_none():
 
 
 def test_single_runs_of_all_learners_are_asked_the_same():
-    like, unlike = Row("replay", "suppressed"), Row("linear", "suppressed")
+    like, unlike = Subject("replay", "suppressed"), Subject("linear", "suppressed")
     rows = {CONJECTURED: findings(INFANT), like: findings(INFANT)}
     rows[unlike] = findings(MIXED)
     (claim,) = (one for one in claims(rows) if "abruptly" in one.words)

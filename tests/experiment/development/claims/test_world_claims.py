@@ -5,7 +5,11 @@ from dataclasses import replace
 import pytest
 import study_by_hand
 
-from prospect_mj.experiment.development.claims.worlds import ALL, ORDER, world_claims
+from prospect_mj.experiment.development.claims.worlds import (
+    DEVELOPS_EVERYWHERE,
+    ORDER_EVERYWHERE,
+    world_claims,
+)
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
 from prospect_mj.experiment.paper.measures.target import Verdict
 
@@ -44,8 +48,8 @@ def found(**learners):
 )
 def test_one_world_decides(noisy, in_order, as_infants, decides):
     order, alike = found(discovery=("infant", noisy))
-    assert (order.name, order.verdict) == (ORDER, in_order)
-    assert (alike.name, alike.verdict) == (ALL, as_infants)
+    assert (order.name, order.verdict) == (ORDER_EVERYWHERE, in_order)
+    assert (alike.name, alike.verdict) == (DEVELOPS_EVERYWHERE, as_infants)
     assert order.evidence.startswith("*standard*: late 60, early 140; 100.0 % of the")
     assert alike.evidence.startswith(f"*standard*: holds. *noisy*: {as_infants}")
     assert decides in alike.evidence

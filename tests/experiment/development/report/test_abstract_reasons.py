@@ -12,7 +12,7 @@ from prospect_mj.experiment.development.report.abstract_numbers import (
 from prospect_mj.experiment.development.report.abstract_reasons import reasons
 from prospect_mj.experiment.development.study import abstract_rows, learners
 from prospect_mj.experiment.development.study.ideal_outcomes import IdealOutcomes
-from prospect_mj.experiment.development.study.measured import Measured, Shown
+from prospect_mj.experiment.development.study.measured import Measured, MeasuredCurves
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.experiment.development.study.settings import Extent
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
@@ -47,7 +47,7 @@ def told(recorded, changed, unlike=0):
         key = row.name, row.rule
         if key in ABSTRACT:
             one = measured(row, key, recorded.get(key, {}))
-            made.learners.append(Shown(one, None))
+            made.learners.append(MeasuredCurves(one, None))
     changed = {
         abstract_rows.key(*key, change): n for (key, change), n in changed.items()
     }

@@ -9,9 +9,14 @@ import pytest
 import study_by_hand
 from study_by_hand import EXTENT, results
 
+from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.cli import command_line
 from prospect_mj.cli.development import DevelopmentOptions
-from prospect_mj.experiment.development.claims.claim import AS_PAPER, CONJECTURED, Row
+from prospect_mj.experiment.development.claims.claim import (
+    AS_PAPER,
+    CONJECTURED,
+    Subject,
+)
 from prospect_mj.experiment.development.claims.claims import PREDICTION
 from prospect_mj.experiment.development.figures import pictures
 from prospect_mj.experiment.development.measures.ages import AGES
@@ -106,7 +111,7 @@ def test_numbers_of_a_row_are_those_measured(whole):
 
 
 def test_learners_and_controls_are_in_the_same_tables(whole):
-    names = {**learners.LEARNERS, **learners.CONTROLS}
+    names = {**DEFAULTS, **learners.CONTROLS}
     for rule in ("allowed", "suppressed"):
         section = whole.partition(f"### Failed actions {rule}\n\n")[2]
         table = section.partition("\n\n")[0]
@@ -154,7 +159,7 @@ YES, NO, OPEN = "**Yes**", "**No**", "**Undecided with so many runs**"
 def rows(**kinds):
     """Findings of the conjectured learner, another one, and the paper's."""
     names = {"conjectured": CONJECTURED, "paper": AS_PAPER}
-    names["other"] = Row("replay", "suppressed")
+    names["other"] = Subject("replay", "suppressed")
     return {names[name]: study_by_hand.findings(kind) for name, kind in kinds.items()}
 
 
@@ -228,7 +233,7 @@ def test_the_command_of_a_part_makes_it_again(part):
 
 
 def test_the_abstract_task_is_told_of_learners_that_there_are():
-    names = {**learners.LEARNERS, **learners.CONTROLS}
+    names = {**DEFAULTS, **learners.CONTROLS}
     assert {name for name, _ in ABSTRACT} <= set(names)
     assert {rule for _, rule in ABSTRACT} == {"allowed", "suppressed"}
 

@@ -5,6 +5,7 @@ from time import sleep
 import numpy as np
 import pytest
 
+from prospect_mj.agent.haptics import LEFT, RIGHT
 from prospect_mj.experiment.development.rivals.planner import prices, wrong_physics
 from prospect_mj.experiment.development.rivals.planner.clock import Clock
 from prospect_mj.experiment.development.rivals.planner.search import (
@@ -17,7 +18,7 @@ from prospect_mj.experiment.development.rivals.planner.simulators import (
     useful,
 )
 from prospect_mj.experiment.development.rivals.settings import RivalSettings
-from prospect_mj.recording.hands import GRASPS, INSERTIONS, LEFT, NUMBERS, RIGHT
+from prospect_mj.recording.hands import GRASPS, INSERTIONS, NUMBERS
 from prospect_mj.recording.recording import Recording
 from prospect_mj.recording.tree import usual_actions
 

@@ -9,6 +9,8 @@ import small_study
 from ideal_recording import clumsy, ideal
 from ideal_recording import recording as made_by_hand
 
+from prospect_mj.agent.haptics import LEFT
+from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.development.study import (
     abstract_rows,
@@ -24,7 +26,7 @@ from prospect_mj.experiment.development.study.abstract_rows import (
 from prospect_mj.experiment.development.study.made_up import MadeUp
 from prospect_mj.experiment.development.study.settings import DOMINANT, StudySettings
 from prospect_mj.experiment.populations.programme import Programme
-from prospect_mj.recording.hands import LEFT, NUMBERS
+from prospect_mj.recording.hands import NUMBERS
 from prospect_mj.recording.worlds import STANDARD
 
 STUDY = StudySettings(runs=50, setting_runs=20, seed=9)
@@ -76,7 +78,7 @@ def test_every_learner_has_the_changes_that_it_knows_of():
         name: 2 * number for name, number in known.items()
     }
     keys = {(row.name, row.rule, row.world) for row in ROWS}
-    for name, rule in product(learners.LEARNERS, ("allowed", "suppressed")):
+    for name, rule in product(DEFAULTS, ("allowed", "suppressed")):
         for change in CHANGES.values():
             effect = change.known_to(name)
             key = abstract_rows.key(name, rule, effect)
@@ -94,7 +96,7 @@ def test_prototypes_have_the_cosine_that_was_asked_for(made_up):
     np.testing.assert_allclose(one, other[::-1])
 
 
-@pytest.mark.parametrize("made_up", abstract_rows.LOOKS.values(), ids=str)
+@pytest.mark.parametrize("made_up", abstract_rows.PICTURES.values(), ids=str)
 def test_pictures_look_as_was_asked_for(recording, made_up):
     seen = scaled(made_up.presented(recording, np.random.default_rng(1)))
     found = looks.looks(seen)

@@ -10,7 +10,7 @@ from small_study import SETTINGS
 from prospect_mj.experiment.development.measures.development import Development
 from prospect_mj.experiment.development.measures.measures import late_gone
 from prospect_mj.experiment.development.study import after, world_rows
-from prospect_mj.experiment.development.study.measured import Measured, Shown
+from prospect_mj.experiment.development.study.measured import Measured, MeasuredCurves
 
 BEFORE = [[L] * 5] * 6 + [[B] * 5] * 6
 EASY = [[B] * 5] * 12
@@ -69,7 +69,9 @@ def test_formerly_easy_trials_are_measured_as_the_difficult_ones():
     easy = [[L] * 5] * 3 + [[E] * 5] * 4 + [[B] * 5] * 5
     row = world_rows.changes(SETTINGS, ("post",))[-1]
     numbers = Measured(row, 4, {}, 0.0)
-    found = after.of_formerly_easy(Shown(numbers, developed([[X] * 5] * 12, easy)))
+    found = after.of_formerly_easy(
+        MeasuredCurves(numbers, developed([[X] * 5] * 12, easy))
+    )
     assert found.row.name == f"{row.name}, formerly easy trials"
     assert (found.row.then, found.runs, found.order) == ("post", 4, 1.0)
     measured = {name: one.estimate for name, one in found.measured.items()}

@@ -7,9 +7,8 @@ import pytest
 from hand_made_runs import B, population
 
 from prospect_mj.actions.action import Action
-from prospect_mj.agent.haptics import haptic_state, n_haptic
+from prospect_mj.agent.haptics import NONE, RIGHT, haptic_state, n_haptic
 from prospect_mj.experiment.development.study.splits import Splits
-from prospect_mj.recording.hands import NONE, RIGHT
 
 PRETRAIN = 10
 

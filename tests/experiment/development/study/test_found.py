@@ -15,7 +15,9 @@ from prospect_mj.agent.discovery import DiscoveryQ
 from prospect_mj.agent.discovery.detector import BETTER, Detector, likelier_class
 from prospect_mj.agent.discovery.feature import Feature, cumulative
 from prospect_mj.agent.features import N_BINS
-from prospect_mj.experiment.development.study import found, learners, pictures
+from prospect_mj.agent.haptics import NONE, RIGHT
+from prospect_mj.agent.learners import DEFAULTS
+from prospect_mj.experiment.development.study import found, pictures
 from prospect_mj.experiment.development.study.found import (
     CHOICE,
     CONTEXTS,
@@ -28,7 +30,7 @@ from prospect_mj.experiment.development.study.settings import DOMINANT
 from prospect_mj.experiment.populations import store
 from prospect_mj.experiment.populations.population import learn, look_into
 from prospect_mj.experiment.populations.programme import Programme
-from prospect_mj.recording.hands import NONE, NUMBERS, RIGHT
+from prospect_mj.recording.hands import NUMBERS
 from prospect_mj.recording.recording import Recording
 from prospect_mj.vision.histogram import intensity_histogram
 
@@ -174,7 +176,7 @@ def test_learners_are_those_of_the_study():
     seen = look_into(*given, lambda one: (one.settings, one.weights.copy()), jobs=2)
     programme = Programme(*given)
     for number, (learner, weights) in enumerate(seen):
-        assert learner == learners.LEARNERS["linear"]
+        assert learner == DEFAULTS["linear"]
         expected = learn(programme, number).learner.weights
         np.testing.assert_array_equal(weights, expected)
     assert (seen[0][1] != seen[1][1]).any()

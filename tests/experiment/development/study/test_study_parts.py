@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 import small_study
 
-from prospect_mj.agent.haptics import n_haptic
+from prospect_mj.agent.haptics import LEFT, RIGHT, n_haptic
+from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.claims.findings import Findings
 from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY, END
 from prospect_mj.experiment.development.measures.measures import MEASURES
@@ -28,9 +29,8 @@ from prospect_mj.experiment.development.study.settings import Extent
 from prospect_mj.experiment.development.study.study import Study
 from prospect_mj.experiment.development.study.tables import tables
 from prospect_mj.experiment.populations import digests, store
-from prospect_mj.experiment.populations.world import World
+from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 from prospect_mj.experiment.run.learning_curve import BLOCK
-from prospect_mj.recording.hands import LEFT, RIGHT
 
 EXTENT = Extent(("learners", "worlds", "change"), ("standard", "noisy"), ("post",))
 N_TOWARDS = 2 * (3 + 3 + 1)
@@ -75,7 +75,7 @@ def learned(monkeypatch):
 def test_all_rows_are_there(done):
     _, results, lines = done
     assert len(results.learners) == 8
-    assert [one.row.name for one in results.singles] == list(learners.LEARNERS)
+    assert [one.row.name for one in results.singles] == list(DEFAULTS)
     assert {one.row.rule for one in results.singles} == {"suppressed"}
     assert len(results.towards_abstract) == N_TOWARDS
     assert len(results.worlds) == 6
@@ -93,7 +93,9 @@ def test_worlds_and_changes_are_told_from_each_other(done):
     assert one.measured.measured != other.measured.measured
     # A change makes what was right wrong: errors are more than exploration's.
     for one in results.change:
-        assert list(one.measured.measured) == [each.name for each in after.AFTER]
+        assert list(one.measured.measured) == [
+            each.name for each in after.MEASURES_AFTER
+        ]
         assert one.measured.measured["easy_errors"].estimate > 0.2
 
 
@@ -214,7 +216,10 @@ def test_what_nothing_asked_for_is_told(done, worlds):
 def test_a_world_with_categories_has_its_own_population(tmp_path, worlds, learned):
     standard = worlds.standard
     category = np.arange(len(standard.nodes.child)) % 2
-    told = {BITS: World(standard), CATEGORY: World(standard, 2, category)}
+    told = {
+        BITS: RecordedWorld(standard),
+        CATEGORY: RecordedWorld(standard, 2, category),
+    }
     rows = haptic_rows.rows(SETTINGS, {BITS: 0, CATEGORY: 2})
     asked = [row for row in rows if row.name == "discovery"]
     assert [row.settings.learner.n_haptic for row in asked] == [3, n_haptic(2)]
@@ -233,7 +238,7 @@ def test_what_learners_are_told_of_grasps_is_a_part_like_others(
     found = SimpleNamespace(models={study.haptics.RECORDED: None}, tables={})
     monkeypatch.setattr(study.haptics, "run", lambda *a: asked.append(a) or found)
     end = np.arange(len(standard.nodes.child)) % 2
-    told = {BITS: World(standard), END: World(standard, 2, end)}
+    told = {BITS: RecordedWorld(standard), END: RecordedWorld(standard, 2, end)}
     monkeypatch.setattr(study.touch, "worlds", lambda recording, models: told)
     made = opened(tmp_path, worlds, extent=Extent(("haptics",))).results()
     ((folder, recording, haptic, *_),) = asked

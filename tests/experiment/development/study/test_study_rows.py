@@ -8,6 +8,7 @@ import pytest
 import small_study
 
 from prospect_mj.agent import DiscoverySettings
+from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY, END
 from prospect_mj.experiment.development.study import (
     causal,
@@ -22,7 +23,7 @@ from prospect_mj.experiment.development.study.settings import (
     StudySettings,
 )
 from prospect_mj.experiment.populations.programme import Programme
-from prospect_mj.experiment.populations.world import World
+from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 
 STUDY = StudySettings(runs=50, seed=9)
 PARTS = {
@@ -57,35 +58,29 @@ def presented(row, recordings):
     """Where the trials (n,) before any change begin in run 3 of a row."""
     begins = recordings[row.world]
     if known := row.settings.categories:
-        begins = World(begins, known, np.zeros(len(begins.nodes.child), np.int64))
+        begins = RecordedWorld(
+            begins, known, np.zeros(len(begins.nodes.child), np.int64)
+        )
     given = row.scenario, row.settings, recordings.get(row.then)
     return Programme(begins, *given).run(3).trials.root[: row.scenario.trials]
 
 
 def test_every_learner_and_every_control_is_there_under_both_rules():
     found = {(row.name, row.rule) for row in PARTS["learners"]}
-    names = {**learners.LEARNERS, **learners.CONTROLS}
+    names = {**DEFAULTS, **learners.CONTROLS}
     assert found == set(product(names, ("allowed", "suppressed")))
     assert {row.settings.runs for row in PARTS["learners"]} == {50}
 
 
-def test_learners_have_the_settings_they_have_everywhere():
-    assert {
-        name: type(settings)() for name, settings in learners.LEARNERS.items()
-    } == learners.LEARNERS
-    named = (settings.name for settings in learners.LEARNERS.values())
-    assert tuple(named) == tuple(learners.LEARNERS)
-
-
 def test_every_control_differs_from_the_learner_whose_name_it_bears():
     for name, settings in learners.CONTROLS.items():
-        usual = learners.LEARNERS[name.partition(",")[0]]
+        usual = DEFAULTS[name.partition(",")[0]]
         assert type(settings) is type(usual)
         assert settings != usual
 
 
 def test_the_first_causal_row_is_that_of_the_other_parts():
-    assert CAUSAL[causal.BASE].settings.learner == learners.LEARNERS["discovery"]
+    assert CAUSAL[causal.BASE].settings.learner == DEFAULTS["discovery"]
     assert {row.rule for row in CAUSAL.values()} == {"suppressed"}
 
 
@@ -152,7 +147,7 @@ def test_in_other_worlds_only_learners_learn_that_see_the_picture():
 def test_the_world_changes_after_all_trials():
     changing = PARTS["change"]
     assert {row.then for row in changing} == set(CHANGES)
-    assert {row.name for row in changing} == set(learners.LEARNERS)
+    assert {row.name for row in changing} == set(DEFAULTS)
     for row in changing:
         assert (row.scenario.trials, row.scenario.then_trials) == (1000, 600)
         assert row.world == "standard"

@@ -15,11 +15,12 @@ from numpy.typing import NDArray
 
 from prospect_mj.actions.action import Action
 from prospect_mj.agent.failed_actions import FailedActionRule, FailedActions
+from prospect_mj.agent.haptics import LEFT, NONE, RIGHT
 from prospect_mj.experiment.development.rivals.planner import facts as known
 from prospect_mj.experiment.development.rivals.planner.facts import Facts, Operator
 from prospect_mj.experiment.development.rivals.planner.geometry import Geometry
 from prospect_mj.experiment.development.rivals.planner.regression import plan
-from prospect_mj.recording.hands import LEFT, NONE, RIGHT, hand_of, number_of
+from prospect_mj.recording.hands import hand_of, number_of
 from prospect_mj.recording.recording import Recording
 from prospect_mj.robot.names import SIDES, Side
 from prospect_mj.task.presentation import Orientation

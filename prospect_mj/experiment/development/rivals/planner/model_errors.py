@@ -4,12 +4,11 @@ The error is in a size that it believes, or in the side of the lid.
 """
 
 from collections.abc import Iterator
-from typing import get_args
 
 import numpy as np
 import pyarrow as pa
 
-from prospect_mj.agent.failed_actions import FailedActions
+from prospect_mj.agent.failed_actions import RULES, FailedActions
 from prospect_mj.experiment.development.rivals.planner.execution import (
     Belief,
     Executed,
@@ -58,7 +57,7 @@ def believed(
     shown = recording.complete(max_actions)
     rows = []
     for kind, error, size, flip in _errors(settings):
-        for rule in get_args(FailedActions):
+        for rule in RULES:
             # The same chances for every error, so that the errors alone differ.
             rng = np.random.default_rng([settings.seed, KINDS.index(kind)])
             repeats = _FLIPS if kind == FLIP else 1

@@ -14,7 +14,7 @@ from prospect_mj.recording.recording import Recording
 
 
 @dataclass(frozen=True, eq=False)
-class World:
+class RecordedWorld:
     """A recording, with or without categories of the grasps in it."""
 
     recording: Recording

@@ -13,15 +13,15 @@ from prospect_mj.agent import (
     ReplaySettings,
     TableSettings,
 )
+from prospect_mj.agent.haptics import LEFT, RIGHT
 from prospect_mj.errors import InvalidChoice, InvalidValue, RunFolderError
 from prospect_mj.experiment.populations.population import learn, run_population
 from prospect_mj.experiment.populations.programme import Programme
+from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 from prospect_mj.experiment.populations.scenario import PopulationSettings, Scenario
 from prospect_mj.experiment.populations.spread import Spread
 from prospect_mj.experiment.populations.store import Store
 from prospect_mj.experiment.populations.strategies import Strategy
-from prospect_mj.experiment.populations.world import World
-from prospect_mj.recording.hands import LEFT, RIGHT
 
 KINDS = (LinearSettings, ReplaySettings, TableSettings, DiscoverySettings)
 FEW = ("lid", "n_actions", "solved", "strategy", "first_hand")
@@ -94,10 +94,10 @@ def test_a_table_learns_the_reversed_rule(good, reversed_world):
 
 
 def test_which_end_goes_down_is_told_by_outcomes(good, reversed_world):
-    assert not World(good).lid_first
-    assert World(reversed_world).lid_first
+    assert not RecordedWorld(good).lid_first
+    assert RecordedWorld(reversed_world).lid_first
     unable = recording(left=(clumsy, one_handed), right=(one_handed, clumsy))
-    assert not World(unable).lid_first
+    assert not RecordedWorld(unable).lid_first
 
 
 def test_worlds_are_as_many_as_the_scenario_has(good):
@@ -172,7 +172,7 @@ def test_ranges_that_are_none_are_named():
 def felt(recorded):
     """The hand that grasps, as two categories: nothing that the bits don't tell."""
     holding = np.asarray(recorded.nodes.holding)
-    return World(recorded, 2, (holding == RIGHT).astype(np.int64))
+    return RecordedWorld(recorded, 2, (holding == RIGHT).astype(np.int64))
 
 
 def test_a_table_that_feels_no_more_than_the_hands_learns_alike(good):
@@ -195,11 +195,11 @@ def test_categories_are_those_of_the_world_and_of_the_learner(good):
     with pytest.raises(InvalidValue, match="haptic categories is 0; expected 2"):
         run_population(good, Scenario(10), told)
     with pytest.raises(InvalidValue, match="haptic category is 2; expected 0 to 1"):
-        World(good, 2, np.full(len(good.nodes.child), 2))
+        RecordedWorld(good, 2, np.full(len(good.nodes.child), 2))
     with pytest.raises(InvalidValue, match="shape of haptic categories"):
-        World(good, 2, np.zeros(3, np.int64))
+        RecordedWorld(good, 2, np.zeros(3, np.int64))
     with pytest.raises(InvalidValue, match="haptic categories is 2"):
-        World(good, 2)
+        RecordedWorld(good, 2)
 
 
 def test_only_discovery_splits_contexts(good):
