@@ -8,6 +8,10 @@ import gc
 import os
 import signal
 
+# One of numpy's threads for each process: more would wait for each other, and use up
+# the cores on which the other tests run. Read once, when numpy is imported.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 from prospect_mj.sim import gl
 
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:

@@ -15,6 +15,11 @@ from prospect_mj.cli import new_file
 from prospect_mj.cli.plot import main
 from prospect_mj.episodes import episode_file
 from prospect_mj.experiment.evaluation.evaluate import evaluate
+from prospect_mj.experiment.portraits import (
+    grasp_picture,
+    strategy_picture,
+    weights_picture,
+)
 from prospect_mj.experiment.run import session
 from prospect_mj.experiment.run.config import TrainConfig
 from prospect_mj.experiment.run.kept_episodes import path_of
@@ -30,6 +35,13 @@ def run(tmp_path):
     path = tmp_path / "run"
     session.start(TrainConfig(trials=4), path, IdealEnv, say=lambda _: None)
     return path
+
+
+@pytest.fixture
+def unrendered(monkeypatch):
+    """Files without pixels, where it only matters which there are."""
+    for picture in (grasp_picture, strategy_picture, weights_picture):
+        monkeypatch.setattr(picture, "png", lambda figure: b"PNG")
 
 
 def refused(capsys, *arguments):
@@ -54,7 +66,7 @@ def test_pictures_go_into_the_runs_folder_and_say_what_is_missing(run, capsys):
     assert len(err.splitlines()) == 1
 
 
-def test_weights_over_grey_levels_need_a_linear_learner(tmp_path, capsys):
+def test_weights_over_grey_levels_need_a_linear_learner(tmp_path, capsys, unrendered):
     path, config = tmp_path / "told", TrainConfig(trials=4, learner=TableSettings())
     session.start(config, path, IdealEnv, say=lambda _: None)
     assert main([str(path)]) == 0
@@ -64,7 +76,7 @@ def test_weights_over_grey_levels_need_a_linear_learner(tmp_path, capsys):
     assert said[0] == f"no weights.png: {why}"
 
 
-def test_weights_of_categories_are_left_out_and_told_of(tmp_path, capsys):
+def test_weights_of_categories_are_left_out_and_told_of(tmp_path, capsys, unrendered):
     learner = with_categories(LinearSettings(), len(THREE))
     config = TrainConfig(trials=4, learner=learner, haptic_models=THREE)
     path = tmp_path / "run"
@@ -133,7 +145,7 @@ def test_a_damaged_run_is_named_and_nothing_is_written(run, capsys):
     assert not (run / "plots").exists()
 
 
-def test_damaged_episodes_are_named_and_left_out(run, capsys):
+def test_damaged_episodes_are_named_and_left_out(run, capsys, unrendered):
     (run / "episodes").mkdir()
     for number in (0, 2):
         path_of(run, number).write_bytes(b"PK")
@@ -225,7 +237,7 @@ def test_grasps_of_a_run_that_kept_them_are_drawn(run, grasped, capsys):
 
 
 @pytest.mark.gl
-def test_an_episode_of_another_run_is_named(run, grasped, capsys):
+def test_an_episode_of_another_run_is_named(run, grasped, capsys, unrendered):
     for number, origin in ((1, "another"), (2, RunView.read(run).origin)):
         path = path_of(run, number)
         path.parent.mkdir(exist_ok=True)
