@@ -9,9 +9,7 @@ import pytest
 from prospect_mj.cli import development as command
 from prospect_mj.experiment.development.study.settings import PARTS
 
-FEW = (
-    "--runs 6 --setting-runs 2 --deep-runs 2 --deep-trials 50 --grasped 0 --planned 2"
-)
+FEW = "--runs 6 --setting-runs 2 --deep-runs 2 --deep-trials 50 --grasped 0 --planned 2"
 
 
 def parts():
