@@ -23,7 +23,6 @@ from prospect_mj.experiment.paper.figures.figure_frame import (
     INK,
     SMALL,
     VERMILION,
-    write,
 )
 from prospect_mj.experiment.run.plots import png
 from prospect_mj.haptics import TrajectoryModels
@@ -117,16 +116,11 @@ def _draw_models(axes: Axes, models: TrajectoryModels, corrected: bool) -> None:
         models: which.
         corrected: whether there are later probes.
     """
-    for number, (path, deviations) in enumerate(
-        zip(models.mean, models.deviation, strict=True)
-    ):
+    for path, deviations in zip(models.mean, models.deviation, strict=True):
         for stage in range(1 + corrected):
             mean, size = path[stage], 2 * _DEVIATIONS * np.array(deviations[stage])
             style = {"fc": "none", "ec": INK, "lw": 1, "ls": ["-", ":"][stage]}
             axes.add_patch(Ellipse(mean, *size, **style))
-            if stage == 0:
-                top = mean[0], mean[1] + size[1] / 2
-                write(axes, f"{number}", top, (0, 1), ha="center", fontweight="bold")
 
 
 def _draw_grasps(axes: Axes, grasps: Sequence[Grasp], colour: str) -> None:

@@ -113,9 +113,10 @@ def _population(results: Results) -> bytes:
 
 
 def _worlds(results: Results) -> bytes:
+    # By learner: how little or much a world makes of it is what is to be seen.
+    by_learner = sorted(results.worlds, key=lambda one: one.row.name)
     rows = {
-        f"{one.row.world}, {one.row.name}": one.measured.measured
-        for one in results.worlds
+        f"{one.row.name}, {one.row.world}": one.measured.measured for one in by_learner
     }
     of = "failed actions suppressed; dots: all runs, lines: 95 % intervals"
     return intervals.intervals("Worlds that look unlike each other", of, rows)
