@@ -37,8 +37,8 @@ _SHARED_CODE = (
 _OWN_CODE = {
     "linear": ("agent/linear_q.py",),
     "replay": ("agent/linear_q.py", "agent/replay_q.py"),
-    "table": ("agent/table_q.py",),
-    "discovery": ("agent/discovery/*.py",),
+    "table": ("agent/action_numbers.py", "agent/table_q.py"),
+    "discovery": ("agent/action_numbers.py", "agent/discovery/*.py"),
 }
 
 
