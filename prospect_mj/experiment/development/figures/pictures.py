@@ -90,7 +90,8 @@ def _causal(results: Results) -> Iterator[tuple[str, bytes]]:
             lambda order, values, rate: rows[causal.forced_name(order, values, rate)],
         ),
     )
-    kinds = {f"{a}, {b}": (a, b) for a in causal.LABELS for b in causal.CACHES}
+    names = {"td": "TD", "return": "return"}
+    kinds = {f"{names[a]}, {b}": (a, b) for a in causal.LABELS for b in causal.CACHES}
     yield (
         "causal_labels",
         crossed.crossed(
