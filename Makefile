@@ -67,7 +67,7 @@ agents: $(DEV) $(AGENTS) $(GL) ## install Stable-Baselines3, and let the example
 	tests/docs/test_scripts.py \
 	tests/experiment/development/rivals/test_deep_runs.py $(ARGS)
 
-bench: $(RUNTIME) $(GL) ## simulated seconds per wall second, and where the time goes
+bench: $(RUNTIME) $(GL) ## where simulated time goes, and what each learner costs
 	@$(BIN)/prospect bench $(ARGS)
 
 doctor: $(RUNTIME) ## what is wrong with this machine, and how to mend it
