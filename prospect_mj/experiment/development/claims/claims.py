@@ -108,8 +108,8 @@ def _not_necessary(rows: Mapping[Subject, Findings]) -> Claim:
 _OF_SINGLE_RUNS = (
     (
         LATE_FIRST,
-        "Most single learners go the same way, not just their mean: the median late "
-        "correction comes before the median early one.",
+        "In most single learners, not just in their mean, late corrections come before "
+        "early ones: the median one before the median other.",
     ),
     (
         ABRUPTLY,

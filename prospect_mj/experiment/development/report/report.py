@@ -12,9 +12,9 @@ from prospect_mj.experiment.development.report.elsewhere import (
     spread,
     worlds,
 )
+from prospect_mj.experiment.development.report.frame import closing, opening
 from prospect_mj.experiment.development.report.haptics import haptics
 from prospect_mj.experiment.development.report.learners import learners
-from prospect_mj.experiment.development.report.opening import opening
 from prospect_mj.experiment.development.report.rivals import rivals
 from prospect_mj.experiment.development.study.found import MOST_RUNS
 from prospect_mj.experiment.development.study.results import Results
@@ -48,11 +48,11 @@ def report(made: Made) -> str:
         "haptics": haptics,
         "rivals": _rivals,
     }
-    parts: list[Iterable[str]] = [_title(results), opening(results)]
+    parts: list[Iterable[str]] = [_title(results), [opening(results)]]
     parts += [
         sections[part](results) for part in sections if part in results.extent.parts
     ]
-    parts += [abstract(results), _how(made)]
+    parts += [abstract(results), _how(made), closing(results)]
     return "\n\n".join(piece for part in parts for piece in part) + "\n"
 
 

@@ -97,7 +97,7 @@ def test_single_learners_change_abruptly_or_do_not():
 
 
 def test_single_learners_go_the_same_way_or_the_opposite_one():
-    words = "go the same way"
+    words = "In most single learners"
     assert said(verdicts({CONJECTURED: findings(INFANT)}), words) is Verdict.HOLDS
     found = verdicts({CONJECTURED: findings(EARLY_FIRST)})
     assert said(found, words) is Verdict.FAILS

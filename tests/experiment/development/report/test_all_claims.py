@@ -9,7 +9,11 @@ from study_by_hand import EXTENT, results
 from prospect_mj.experiment.development.claims.claim import Claim
 from prospect_mj.experiment.development.report.all_claims import all_claims
 from prospect_mj.experiment.development.report.answer import answer
-from prospect_mj.experiment.development.report.opening import claims_tables, opening
+from prospect_mj.experiment.development.report.frame import (
+    claims_tables,
+    closing,
+    opening,
+)
 from prospect_mj.experiment.development.study.settings import Extent
 from prospect_mj.experiment.paper.measures.target import Verdict
 
@@ -21,13 +25,13 @@ CLAIMING = [part for part in EXTENT.parts if part != "found"]
 def test_a_part_alone_makes_its_own_claims(part):
     made = results(Extent((part,)))
     assert list(all_claims(made)) == ([part] if part in CLAIMING else [])
-    text = "\n\n".join(opening(made))
+    text = "\n\n".join(closing(made))
     assert ("## Claims" in text) == (part in CLAIMING)
     assert ("## A prediction" in text) == (part == "learners")
 
 
 def test_the_command_names_all_parts_that_claims_come_from():
-    text = "\n\n".join(opening(results()))
+    text = "\n\n".join(closing(results()))
     assert f"Made by `prospect development --parts {' '.join(CLAIMING)} " in text
 
 
@@ -94,7 +98,7 @@ def test_the_answer_has_a_sentence_for_what_other_parts_say(part, number, by_ver
 
 def test_the_answer_says_nothing_of_parts_that_were_left_out():
     learners = study_by_hand.results(Extent(("learners",)))
-    assert "every world" not in next(opening(learners))
-    whole = next(opening(results()))
+    assert "every world" not in opening(learners)
+    whole = opening(results())
     assert whole.count("every world of pictures") == 1
     assert whole.count("When, after learning, the other end") == 1

@@ -201,7 +201,9 @@ def test_claims_stand_under_their_verdict(whole):
 
 def test_there_is_one_prediction_and_what_it_rests_on(whole):
     assert whole.count(PREDICTION) == 1
-    section = whole.partition("## A prediction")[2].partition("\n## ")[0]
+    before, _, section = whole.partition("## A prediction")
+    assert "\n## " not in section, "the report ends with it"
+    assert before.rpartition("\n## ")[2].startswith("Claims\n")
     assert "phase of late ones alone.* (holds)" in section
     assert "abruptly, as if within ten difficult trials.* (holds)" in section
     # By hand all learners change at the same time.

@@ -1,4 +1,4 @@
-"""The first sections: the answer, the claims, the prediction."""
+"""What the report begins and ends with: the answer; the claims and the prediction."""
 
 from collections.abc import Iterator, Mapping
 
@@ -14,6 +14,7 @@ from prospect_mj.experiment.development.report.all_claims import (
 from prospect_mj.experiment.development.report.answer import answer
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.study.results import Results
+from prospect_mj.experiment.development.study.settings import Part
 from prospect_mj.experiment.paper.measures.quantity import with_interval
 from prospect_mj.experiment.paper.measures.target import Verdict
 from prospect_mj.experiment.paper.report.markdown import table
@@ -26,28 +27,35 @@ _TITLES = {
 _JUDGED = """\
 Verdicts are by intervals: what lies in the range that is asked for with all of its
 interval holds, what lies outside with all of it does not, all else is undecided. Failed
-actions are suppressed where no rule is named. The sections below have the criteria, and
+actions are suppressed where no rule is named. The sections above have the criteria, and
 all numbers.
 """
 
 
-def opening(results: Results) -> Iterator[str]:
-    """The first sections, a piece at a time."""
-    by_part = all_claims(results)
-    found = [one for claims in by_part.values() for one in claims]
+def opening(results: Results) -> str:
+    """The answer."""
     rows = by_row(results.learners)
-    if rows:
-        yield answer(rows, found)
-    else:
-        yield "The part `learners`, from which the answer follows, was left out."
+    if not rows:
+        return "The part `learners`, from which the answer follows, was left out."
+    return answer(rows, _all(all_claims(results)))
+
+
+def closing(results: Results) -> Iterator[str]:
+    """Claims that hold and those that don't, and the prediction, a piece at a time."""
+    by_part = all_claims(results)
+    found = _all(by_part)
     if found:
         yield "## Claims"
         yield _JUDGED.rstrip()
         yield from claims_tables(found)
         yield command(results, *by_part)
-    if rows:
+    if results.learners:
         yield "## A prediction"
         yield _prediction(found, spread(results))
+
+
+def _all(by_part: Mapping[Part, list[Claim]]) -> list[Claim]:
+    return [one for claims in by_part.values() for one in claims]
 
 
 def claims_tables(found: list[Claim]) -> Iterator[str]:
