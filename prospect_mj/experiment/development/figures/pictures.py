@@ -49,8 +49,8 @@ def pictures(results: Results, recording: Recording) -> Iterator[tuple[str, byte
         yield "found", found.found(results.found, jar_pictures(recording))
     if results.haptics is not None:
         yield from _grasps(results.haptics)
-    if results.touches:
-        yield "haptics_strategies", _touches(results)
+    for world in dict.fromkeys(one.row.world for one in results.touches):
+        yield f"haptics_strategies_{world}", _touches(results, world)
     if results.rivals is not None:
         rivals = results.rivals
         yield "rivals", learning_curves(rivals.curves, rivals.settings)
@@ -143,8 +143,9 @@ def _grasps(results: HapticResults) -> Iterator[tuple[str, bytes]]:
     yield "haptics_separation", haptics.separation(results.told)
 
 
-def _touches(results: Results) -> bytes:
-    rows = {(one.row.name, one.row.touch): one.development for one in results.touches}
+def _touches(results: Results, world: str) -> bytes:
+    shown = [one for one in results.touches if one.row.world == world]
+    rows = {(one.row.name, one.row.touch): one.development for one in shown}
     panels = [
         [
             Panel(f"{name}, told: {touch}", rows[name, touch])
@@ -152,5 +153,5 @@ def _touches(results: Results) -> bytes:
         ]
         for touch in TOUCHES
     ]
-    title = "Difficult trials of learners that are told more of a grasp"
+    title = f"Difficult trials of learners told more of a grasp, {world} jar"
     return shares.shares(title, f"{_BANDS}; {_DOTTED}", panels)

@@ -29,6 +29,7 @@ from prospect_mj.experiment.development.study.recordings import Recordings
 from prospect_mj.experiment.development.study.results import Results, Single
 from prospect_mj.experiment.development.study.rows import Row
 from prospect_mj.experiment.development.study.settings import (
+    FELT_WORLDS,
     PARTS,
     Extent,
     Part,
@@ -162,13 +163,19 @@ class Study:
     def _haptics(self) -> None:
         size = self._settings
         settings = HapticSettings(grasped=size.grasped, seed=size.seed)
-        recording, at = self._recordings.standard, self._folder
-        found = haptics.run(at, recording, settings, self._jobs, self._tell)
-        worlds = touch.worlds(recording, found.models[haptics.RECORDED])
-        numbers = {told: world.categories for told, world in worlds.items()}
+        felt = {name: self._recordings.by_world[name] for name in FELT_WORLDS}
+        found = haptics.run(self._folder, felt, settings, self._jobs, self._tell)
+        worlds = {
+            name: touch.worlds(recording, found.models[haptics.recorded(name)])
+            for name, recording in felt.items()
+        }
+        numbers = {
+            name: {told: world.categories for told, world in told_worlds.items()}
+            for name, told_worlds in worlds.items()
+        }
         self._results.haptics = found
         self._results.touches = [
-            self._shown(row, number, world=worlds[row.touch])
+            self._shown(row, number, world=worlds[row.world][row.touch])
             for number, row in enumerate(haptic_rows.rows(size, numbers))
         ]
 

@@ -19,6 +19,7 @@ from prospect_mj.experiment.development.study import (
 )
 from prospect_mj.experiment.development.study.settings import (
     CHANGES,
+    FELT_WORLDS,
     IMAGE_WORLDS,
     StudySettings,
 )
@@ -32,7 +33,9 @@ PARTS = {
     "population": population.rows(STUDY),
     "worlds": world_rows.worlds(STUDY, IMAGE_WORLDS),
     "change": world_rows.changes(STUDY, CHANGES),
-    "haptics": haptic_rows.rows(STUDY, {BITS: 0, CATEGORY: 3, END: 2}),
+    "haptics": haptic_rows.rows(
+        STUDY, {world: {BITS: 0, CATEGORY: 3, END: 2} for world in FELT_WORLDS}
+    ),
 }
 CAUSAL = {row.name: row for row in PARTS["causal"]}
 
