@@ -78,7 +78,7 @@ def test_what_is_linked_is_there(whole, monkeypatch):
     made = results()
     monkeypatch.setattr(pictures, "_strategies", lambda results: b"")
     monkeypatch.setattr(pictures, "_change", lambda results: b"")
-    monkeypatch.setattr(pictures, "_touches", lambda results: b"")
+    monkeypatch.setattr(pictures, "_touches", lambda results, world: b"")
     monkeypatch.setattr(pictures, "jar_pictures", lambda recording: [])
     names = {f"figures/{name}.png" for name, _ in pictures.pictures(made, None)}
     names |= {f"tables/{name}.parquet" for name in tables(made)}
