@@ -99,7 +99,7 @@ def _causal(results: Results) -> Iterator[tuple[str, bytes]]:
             of,
             tuple(kinds),
             causal.VALUES,
-            causal.LABELLED_RATES,
+            causal.RATES,
             lambda kind, values, rate: rows[
                 causal.labelled_name(*kinds[kind], values, rate)
             ],

@@ -149,7 +149,7 @@ def test_every_causal_row_is_in_a_table(whole):
     found = sum(line.count("; 100.0 %; ") + line.count("; 0.0 %; ") for line in crossed)
     kept = len(causal.VALUES) - 1
     per_values = len(causal.ORDERS) * len(causal.RATES)
-    labelled = len(causal.LABELS) * len(causal.CACHES) * len(causal.LABELLED_RATES)
+    labelled = len(causal.LABELS) * len(causal.CACHES) * len(causal.RATES)
     assert found == kept * (per_values + labelled)
 
 

@@ -119,9 +119,7 @@ def test_forced_splits_are_crossed_with_values_and_rates():
 
 
 def test_labels_are_crossed_with_what_is_remembered_values_and_rates():
-    crossed = product(
-        causal.LABELS, causal.CACHES, causal.VALUES, causal.LABELLED_RATES
-    )
+    crossed = product(causal.LABELS, causal.CACHES, causal.VALUES, causal.RATES)
     for labels, cache, values, rate in crossed:
         row = CAUSAL[causal.labelled_name(labels, cache, values, rate)]
         expected = replace(
