@@ -147,7 +147,7 @@ def results(extent=EXTENT, settings=SETTINGS):
         for row in learners.rows(settings):
             kind = "infant" if (row.name, row.rule) in LIKE else "at once"
             made.learners.append(told(row, kind))
-            if row.rule == "suppressed" and row.name in DEFAULTS:
+            if row.rule == "suppressed" and row.name in learners.SHOWN:
                 made.singles.append(Single(row, runs(kind)))
         made.outcomes = IdealOutcomes(500, 0)
         made.towards_abstract = [

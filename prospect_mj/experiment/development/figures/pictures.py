@@ -18,12 +18,14 @@ from prospect_mj.experiment.development.figures.shares import Panel
 from prospect_mj.experiment.development.haptics.haptics import HapticResults
 from prospect_mj.experiment.development.haptics.touch import TOUCHES
 from prospect_mj.experiment.development.study import causal, haptic_rows
+from prospect_mj.experiment.development.study.learners import SHOWN
 from prospect_mj.experiment.development.study.pictures import jar_pictures
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.recording.recording import Recording
 
 _BANDS = "share of each strategy in sets of ten trials; shade: 95 % band over runs"
 _DOTTED = "dotted: optimal ones of the easy trials"
+_NO_DOT = "no dot: never above 10 % of the difficult trials"
 
 
 def pictures(results: Results, recording: Recording) -> Iterator[tuple[str, bytes]]:
@@ -35,7 +37,7 @@ def pictures(results: Results, recording: Recording) -> Iterator[tuple[str, byte
     """
     if results.learners:
         yield "strategies", _strategies(results)
-        kept = {one.row.name: one.population for one in results.singles}
+        kept = {_wrapped(one.row.name): one.population for one in results.singles}
         yield "sequences", single_runs.single_runs(kept)
     if results.causal:
         yield from _causal(results)
@@ -59,11 +61,18 @@ def pictures(results: Results, recording: Recording) -> Iterator[tuple[str, byte
 def _strategies(results: Results) -> bytes:
     rows = {(one.row.name, one.row.rule): one for one in results.learners}
     panels = [
-        [Panel(f"{name}, {rule}", rows[name, rule].development) for rule in RULES]
-        for name in DEFAULTS
+        [Panel(name, rows[name, rule].development) for rule in RULES]
+        for name in SHOWN
+        if (name, RULES[0]) in rows
     ]
     of = f"{_BANDS}; {_DOTTED}\nleft: failed actions allowed; right: suppressed"
     return shares.shares("Strategies in difficult trials", of, panels)
+
+
+def _wrapped(name: str) -> str:
+    """A name of several parts in lines of two, for columns that are narrow."""
+    parts = name.split(", ")
+    return ",\n".join(", ".join(parts[n : n + 2]) for n in range(0, len(parts), 2))
 
 
 def _causal(results: Results) -> Iterator[tuple[str, bytes]]:
@@ -71,12 +80,15 @@ def _causal(results: Results) -> Iterator[tuple[str, bytes]]:
     singles = {
         one.name: rows[one.name].measured for one in causal.single(results.settings)
     }
-    of = "the discovery learner with one thing changed; dots: all runs, lines: 95 %"
+    of = (
+        "the discovery learner with one thing changed; dots: all runs, lines: 95 %\n"
+        + _NO_DOT
+    )
     yield "causal", intervals.intervals("What makes the order", of, singles)
     of = (
         "trials until late (vermilion) and early corrections (green) are gone, "
-        "triangle: never; bars: for how\nlong early ones lead; late first: in 95 % of "
-        "the resamples"
+        f"triangle: never;\n{_NO_DOT}; bars: for how long early ones lead;\nlate "
+        "first: in 95 % of the resamples"
     )
     title = "Order of the splits, re-estimation and inertia"
     yield (
@@ -119,7 +131,7 @@ def _worlds(results: Results) -> bytes:
     rows = {
         f"{one.row.name}, {one.row.world}": one.measured.measured for one in by_learner
     }
-    of = "failed actions suppressed; dots: all runs, lines: 95 % intervals"
+    of = f"failed actions suppressed; dots: all runs, lines: 95 % intervals\n{_NO_DOT}"
     return intervals.intervals("Worlds that look unlike each other", of, rows)
 
 

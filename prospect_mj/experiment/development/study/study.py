@@ -5,7 +5,6 @@ from dataclasses import replace
 from pathlib import Path
 from time import perf_counter
 
-from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.haptics import haptics, touch
 from prospect_mj.experiment.development.haptics.settings import HapticSettings
 from prospect_mj.experiment.development.rivals import rivals
@@ -99,7 +98,7 @@ class Study:
             learned = self._laboratory.learned(row)
             rng = self._settings.rng(PARTS.index("learners"), number)
             self._results.learners.append(measured.told(row, learned, rng))
-            if row.rule == "suppressed" and row.name in DEFAULTS:
+            if row.rule == "suppressed" and row.name in learners.SHOWN:
                 self._results.singles.append(Single(row, learned))
         self._towards_abstract(len(rows))
 
