@@ -9,7 +9,6 @@ from hand_made_runs import B, E, L, X, population
 from small_study import SETTINGS
 
 from prospect_mj.agent.features import N_BINS
-from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.claims.findings import Findings
 from prospect_mj.experiment.development.haptics import ends
 from prospect_mj.experiment.development.haptics.haptics import (

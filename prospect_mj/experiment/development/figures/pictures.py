@@ -1,7 +1,8 @@
 """Which figures the study has, by the name of their file."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import partial
+from textwrap import wrap
 
 from prospect_mj.agent.failed_actions import RULES
 from prospect_mj.agent.learners import DEFAULTS
@@ -19,6 +20,7 @@ from prospect_mj.experiment.development.haptics.haptics import HapticResults
 from prospect_mj.experiment.development.haptics.touch import TOUCHES
 from prospect_mj.experiment.development.study import causal, haptic_rows
 from prospect_mj.experiment.development.study.learners import SHOWN
+from prospect_mj.experiment.development.study.measured import Measured
 from prospect_mj.experiment.development.study.pictures import jar_pictures
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.recording.recording import Recording
@@ -26,6 +28,13 @@ from prospect_mj.recording.recording import Recording
 _BANDS = "share of each strategy in sets of ten trials; shade: 95 % band over runs"
 _DOTTED = "dotted: optimal ones of the easy trials"
 _NO_DOT = "no dot: never above 10 % of the difficult trials"
+_OF_CROSSED = (
+    "trials until late (vermilion) and early corrections (green) are gone, triangle: "
+    f"never;\n{_NO_DOT}; bars: for how long early ones lead;\nlate first: in 95 % of "
+    "the resamples"
+)
+_NARROW = 20
+"""Width of a column with single runs [characters]."""
 
 
 def pictures(results: Results, recording: Recording) -> Iterator[tuple[str, bytes]]:
@@ -70,9 +79,8 @@ def _strategies(results: Results) -> bytes:
 
 
 def _wrapped(name: str) -> str:
-    """A name of several parts in lines of two, for columns that are narrow."""
-    parts = name.split(", ")
-    return ",\n".join(", ".join(parts[n : n + 2]) for n in range(0, len(parts), 2))
+    """A name in lines that a narrow column has room for."""
+    return "\n".join(wrap(name, _NARROW))
 
 
 def _causal(results: Results) -> Iterator[tuple[str, bytes]]:
@@ -85,37 +93,33 @@ def _causal(results: Results) -> Iterator[tuple[str, bytes]]:
         + _NO_DOT
     )
     yield "causal", intervals.intervals("What makes the order", of, singles)
-    of = (
-        "trials until late (vermilion) and early corrections (green) are gone, "
-        f"triangle: never;\n{_NO_DOT}; bars: for how long early ones lead;\nlate "
-        "first: in 95 % of the resamples"
+    yield "causal_splits", _splits(rows)
+    yield "causal_labels", _labels(rows)
+
+
+def _splits(rows: Mapping[str, Measured]) -> bytes:
+    return crossed.crossed(
+        "Order of the splits, re-estimation and inertia",
+        _OF_CROSSED,
+        tuple(causal.ORDERS),
+        causal.VALUES,
+        causal.RATES,
+        lambda order, values, rate: rows[causal.forced_name(order, values, rate)],
     )
-    title = "Order of the splits, re-estimation and inertia"
-    yield (
-        "causal_splits",
-        crossed.crossed(
-            title,
-            of,
-            tuple(causal.ORDERS),
-            causal.VALUES,
-            causal.RATES,
-            lambda order, values, rate: rows[causal.forced_name(order, values, rate)],
-        ),
-    )
+
+
+def _labels(rows: Mapping[str, Measured]) -> bytes:
     names = {"td": "TD", "return": "return"}
     kinds = {f"{names[a]}, {b}": (a, b) for a in causal.LABELS for b in causal.CACHES}
-    yield (
-        "causal_labels",
-        crossed.crossed(
-            "Labels, re-estimation and inertia",
-            of,
-            tuple(kinds),
-            causal.VALUES,
-            causal.RATES,
-            lambda kind, values, rate: rows[
-                causal.labelled_name(*kinds[kind], values, rate)
-            ],
-        ),
+    return crossed.crossed(
+        "Labels, re-estimation and inertia",
+        _OF_CROSSED,
+        tuple(kinds),
+        causal.VALUES,
+        causal.RATES,
+        lambda kind, values, rate: rows[
+            causal.labelled_name(*kinds[kind], values, rate)
+        ],
     )
 
 
