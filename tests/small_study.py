@@ -12,6 +12,7 @@ from prospect_mj.experiment.development.study import splits
 from prospect_mj.experiment.development.study.recordings import Recordings
 from prospect_mj.experiment.development.study.settings import (
     CHANGES,
+    FELT_WORLDS,
     IMAGE_WORLDS,
     StudySettings,
 )
@@ -41,7 +42,8 @@ def recordings():
     two = partial(recording, depth=10)
     made = {"post": two(left=(lid_first,) * 2, right=(lid_first,) * 2)}
     standard = two(left=(ideal,) * 2, right=(ideal,) * 2)
-    for number, world in enumerate(dict.fromkeys((*IMAGE_WORLDS, *CHANGES))):
+    worlds = dict.fromkeys((*IMAGE_WORLDS, *CHANGES, *FELT_WORLDS))
+    for number, world in enumerate(worlds):
         deviation = 0.0 if world == STANDARD else 0.1 * number
         made.setdefault(world, noisy(standard, deviation, number))
     return Recordings({STANDARD: made[STANDARD], **made})

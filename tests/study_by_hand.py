@@ -4,16 +4,16 @@ from functools import cache
 
 import felt_by_hand
 import numpy as np
+import pyarrow as pa
 from hand_made_runs import B, E, L, X, population
 from small_study import SETTINGS
 
 from prospect_mj.agent.features import N_BINS
-from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.claims.findings import Findings
 from prospect_mj.experiment.development.haptics import ends
 from prospect_mj.experiment.development.haptics.haptics import (
-    RECORDED,
     HapticResults,
+    recorded,
 )
 from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY, END
 from prospect_mj.experiment.development.measures.development import Development
@@ -41,7 +41,7 @@ from prospect_mj.experiment.development.study.measured import (
     Told,
 )
 from prospect_mj.experiment.development.study.results import Results, Single
-from prospect_mj.experiment.development.study.settings import Extent
+from prospect_mj.experiment.development.study.settings import FELT_WORLDS, Extent
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
 from prospect_mj.haptics import ClusterSettings
 
@@ -120,7 +120,7 @@ TOLD = {BITS: (0, "infant"), CATEGORY: (3, "late"), END: (2, "at once")}
 def touches(settings=SETTINGS):
     """Learners that are told the hand, the category or the very end."""
     numbers = {touch: number for touch, (number, _) in TOLD.items()}
-    rows = haptic_rows.rows(settings, numbers)
+    rows = haptic_rows.rows(settings, dict.fromkeys(FELT_WORLDS, numbers))
     return [shown(row, TOLD[row.touch][1]) for row in rows]
 
 
@@ -128,11 +128,15 @@ def touches(settings=SETTINGS):
 def haptics():
     """Grasps whose ends feel unlike, and what tells them."""
     rng, two = np.random.default_rng(0), ClusterSettings(models=2, starts=2)
-    grasps = {RECORDED: felt_by_hand.grasps(6, rng)}
+    grasps = {recorded(world): felt_by_hand.grasps(6, rng) for world in FELT_WORLDS}
     models = {jar: ends.clustered(one, two, rng).models for jar, one in grasps.items()}
-    told = ends.told(RECORDED, grasps[RECORDED], two, rng)
-    numbers = ends.numbers(RECORDED, grasps[RECORDED], 1, lambda _: two, rng)
-    return HapticResults(grasps, models, told, numbers)
+    told = [ends.told(jar, one, two, rng) for jar, one in grasps.items()]
+    numbers = [
+        ends.numbers(jar, one, 1, lambda _: two, rng) for jar, one in grasps.items()
+    ]
+    return HapticResults(
+        grasps, models, pa.concat_tables(told), pa.concat_tables(numbers)
+    )
 
 
 def results(extent=EXTENT, settings=SETTINGS):
@@ -142,7 +146,7 @@ def results(extent=EXTENT, settings=SETTINGS):
         for row in learners.rows(settings):
             kind = "infant" if (row.name, row.rule) in LIKE else "at once"
             made.learners.append(told(row, kind))
-            if row.rule == "suppressed" and row.name in DEFAULTS:
+            if row.rule == "suppressed" and row.name in learners.SHOWN:
                 made.singles.append(Single(row, runs(kind)))
         made.outcomes = IdealOutcomes(500, 0)
         made.towards_abstract = [

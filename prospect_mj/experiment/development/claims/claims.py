@@ -23,7 +23,9 @@ from prospect_mj.experiment.development.claims.single_runs import (
     LATE_FIRST,
     change_words,
     mixed_in_mean,
+    more_mixed,
 )
+from prospect_mj.experiment.paper.measures.quantity import Kind, with_interval
 from prospect_mj.experiment.paper.measures.target import Verdict
 
 Asked = Mapping[Subject, Mapping[str, Judged]]
@@ -137,30 +139,43 @@ def _shared(
     return Claim(words, its.verdict, said, CONJECTURED.words, criterion.name)
 
 
-def between_learners(populations: Mapping[str, Findings]) -> Claim:
+def between_learners(
+    populations: Mapping[str, Findings], equal: Mapping[str, Findings]
+) -> Claim:
     """Whether the mixture of a population of different learners is one of learners.
+
+    It must be so of no population of equal ones: learners differ by chance as well.
 
     Args:
         populations: with spread parameters, by their learner; that of the conjecture is
             among them.
+        equal: populations whose learners have the same parameters; empty where that
+            part of the study was left out, and nothing is compared.
     """
-    found = {
-        name: all_of([ABRUPTLY.judge(one).verdict, mixed_in_mean(one)])
-        for name, one in populations.items()
-    }
+    found = {name: _between(one, equal.get(name)) for name, one in populations.items()}
     its = found.pop(CONJECTURED.learner)
     also = [name for name, verdict in found.items() if verdict is Verdict.HOLDS]
     evidence = change_words(populations[CONJECTURED.learner].changes)
+    if same := equal.get(CONJECTURED.learner):
+        common = with_interval(same.changes.common, Kind.RATIO)
+        evidence += f", {common} of equal learners"
     if found:
         evidence += f"; it also holds for: {', '.join(also) or 'none'}"
     return Claim(
         "Where learners differ, late and early corrections are mixed in their mean, "
-        "and not within a learner.",
+        "more than where they are equal, and not within a learner.",
         its,
         evidence,
         f"{CONJECTURED.learner}, unlike learners",
         BETWEEN,
     )
+
+
+def _between(findings: Findings, equal: Findings | None) -> Verdict:
+    said = [ABRUPTLY.judge(findings).verdict, mixed_in_mean(findings)]
+    if equal is not None:
+        said.append(more_mixed(findings, equal))
+    return all_of(said)
 
 
 BETWEEN = "between learners"

@@ -83,3 +83,9 @@ def mixed_in_mean(findings: Findings) -> Verdict:
     verdict = Target(0, ABRUPT).verdict(common)
     opposite = {Verdict.HOLDS: Verdict.FAILS, Verdict.FAILS: Verdict.HOLDS}
     return opposite.get(verdict, verdict)
+
+
+def more_mixed(findings: Findings, equal: Findings) -> Verdict:
+    """Whether they are more so, by whole intervals, than in learners that are equal."""
+    bounds = equal.changes.common
+    return Target(bounds.high, inf).verdict(findings.changes.common)

@@ -22,7 +22,7 @@ BEYOND = 660
 
 _ROW = 0.21
 """Height of a row [inches]."""
-_HEAD = 1.3
+_HEAD = 1.5
 
 
 class Dots(NamedTuple):

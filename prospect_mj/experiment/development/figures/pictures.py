@@ -1,7 +1,8 @@
 """Which figures the study has, by the name of their file."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import partial
+from textwrap import wrap
 
 from prospect_mj.agent.failed_actions import RULES
 from prospect_mj.agent.learners import DEFAULTS
@@ -18,12 +19,22 @@ from prospect_mj.experiment.development.figures.shares import Panel
 from prospect_mj.experiment.development.haptics.haptics import HapticResults
 from prospect_mj.experiment.development.haptics.touch import TOUCHES
 from prospect_mj.experiment.development.study import causal, haptic_rows
+from prospect_mj.experiment.development.study.learners import SHOWN
+from prospect_mj.experiment.development.study.measured import Measured
 from prospect_mj.experiment.development.study.pictures import jar_pictures
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.recording.recording import Recording
 
 _BANDS = "share of each strategy in sets of ten trials; shade: 95 % band over runs"
 _DOTTED = "dotted: optimal ones of the easy trials"
+_NO_DOT = "no dot: never above 10 % of the difficult trials"
+_OF_CROSSED = (
+    "trials until late (vermilion) and early corrections (green) are gone, triangle: "
+    f"never;\n{_NO_DOT}; bars: for how long early ones lead;\nlate first: in 95 % of "
+    "the resamples"
+)
+_NARROW = 20
+"""Width of a column with single runs [characters]."""
 
 
 def pictures(results: Results, recording: Recording) -> Iterator[tuple[str, bytes]]:
@@ -35,7 +46,7 @@ def pictures(results: Results, recording: Recording) -> Iterator[tuple[str, byte
     """
     if results.learners:
         yield "strategies", _strategies(results)
-        kept = {one.row.name: one.population for one in results.singles}
+        kept = {_wrapped(one.row.name): one.population for one in results.singles}
         yield "sequences", single_runs.single_runs(kept)
     if results.causal:
         yield from _causal(results)
@@ -49,8 +60,8 @@ def pictures(results: Results, recording: Recording) -> Iterator[tuple[str, byte
         yield "found", found.found(results.found, jar_pictures(recording))
     if results.haptics is not None:
         yield from _grasps(results.haptics)
-    if results.touches:
-        yield "haptics_strategies", _touches(results)
+    for world in dict.fromkeys(one.row.world for one in results.touches):
+        yield f"haptics_strategies_{world}", _touches(results, world)
     if results.rivals is not None:
         rivals = results.rivals
         yield "rivals", learning_curves(rivals.curves, rivals.settings)
@@ -59,11 +70,17 @@ def pictures(results: Results, recording: Recording) -> Iterator[tuple[str, byte
 def _strategies(results: Results) -> bytes:
     rows = {(one.row.name, one.row.rule): one for one in results.learners}
     panels = [
-        [Panel(f"{name}, {rule}", rows[name, rule].development) for rule in RULES]
-        for name in DEFAULTS
+        [Panel(name, rows[name, rule].development) for rule in RULES]
+        for name in SHOWN
+        if (name, RULES[0]) in rows
     ]
     of = f"{_BANDS}; {_DOTTED}\nleft: failed actions allowed; right: suppressed"
     return shares.shares("Strategies in difficult trials", of, panels)
+
+
+def _wrapped(name: str) -> str:
+    """A name in lines that a narrow column has room for."""
+    return "\n".join(wrap(name, _NARROW))
 
 
 def _causal(results: Results) -> Iterator[tuple[str, bytes]]:
@@ -71,39 +88,38 @@ def _causal(results: Results) -> Iterator[tuple[str, bytes]]:
     singles = {
         one.name: rows[one.name].measured for one in causal.single(results.settings)
     }
-    of = "the discovery learner with one thing changed; dots: all runs, lines: 95 %"
-    yield "causal", intervals.intervals("What makes the order", of, singles)
     of = (
-        "trials until late (vermilion) and early corrections (green) are gone, "
-        "triangle: never; bars: for how\nlong early ones lead; late first: in 95 % of "
-        "the resamples"
+        "the discovery learner with one thing changed; dots: all runs, lines: 95 %\n"
+        + _NO_DOT
     )
-    title = "Order of the splits, re-estimation and inertia"
-    yield (
-        "causal_splits",
-        crossed.crossed(
-            title,
-            of,
-            tuple(causal.ORDERS),
-            causal.VALUES,
-            causal.RATES,
-            lambda order, values, rate: rows[causal.forced_name(order, values, rate)],
-        ),
+    yield "causal", intervals.intervals("What makes the order", of, singles)
+    yield "causal_splits", _splits(rows)
+    yield "causal_labels", _labels(rows)
+
+
+def _splits(rows: Mapping[str, Measured]) -> bytes:
+    return crossed.crossed(
+        "Order of the splits, re-estimation and inertia",
+        _OF_CROSSED,
+        tuple(causal.ORDERS),
+        causal.VALUES,
+        causal.RATES,
+        lambda order, values, rate: rows[causal.forced_name(order, values, rate)],
     )
+
+
+def _labels(rows: Mapping[str, Measured]) -> bytes:
     names = {"td": "TD", "return": "return"}
     kinds = {f"{names[a]}, {b}": (a, b) for a in causal.LABELS for b in causal.CACHES}
-    yield (
-        "causal_labels",
-        crossed.crossed(
-            "Labels, re-estimation and inertia",
-            of,
-            tuple(kinds),
-            causal.VALUES,
-            causal.LABELLED_RATES,
-            lambda kind, values, rate: rows[
-                causal.labelled_name(*kinds[kind], values, rate)
-            ],
-        ),
+    return crossed.crossed(
+        "Labels, re-estimation and inertia",
+        _OF_CROSSED,
+        tuple(kinds),
+        causal.VALUES,
+        causal.RATES,
+        lambda kind, values, rate: rows[
+            causal.labelled_name(*kinds[kind], values, rate)
+        ],
     )
 
 
@@ -119,7 +135,7 @@ def _worlds(results: Results) -> bytes:
     rows = {
         f"{one.row.name}, {one.row.world}": one.measured.measured for one in by_learner
     }
-    of = "failed actions suppressed; dots: all runs, lines: 95 % intervals"
+    of = f"failed actions suppressed; dots: all runs, lines: 95 % intervals\n{_NO_DOT}"
     return intervals.intervals("Worlds that look unlike each other", of, rows)
 
 
@@ -143,8 +159,9 @@ def _grasps(results: HapticResults) -> Iterator[tuple[str, bytes]]:
     yield "haptics_separation", haptics.separation(results.told)
 
 
-def _touches(results: Results) -> bytes:
-    rows = {(one.row.name, one.row.touch): one.development for one in results.touches}
+def _touches(results: Results, world: str) -> bytes:
+    shown = [one for one in results.touches if one.row.world == world]
+    rows = {(one.row.name, one.row.touch): one.development for one in shown}
     panels = [
         [
             Panel(f"{name}, told: {touch}", rows[name, touch])
@@ -152,5 +169,5 @@ def _touches(results: Results) -> bytes:
         ]
         for touch in TOUCHES
     ]
-    title = "Difficult trials of learners that are told more of a grasp"
+    title = f"Difficult trials of learners told more of a grasp, {world} jar"
     return shares.shares(title, f"{_BANDS}; {_DOTTED}", panels)

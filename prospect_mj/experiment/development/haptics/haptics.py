@@ -18,9 +18,16 @@ from prospect_mj.recording.recording import Recording
 
 FOLDER = "haptics"
 """Of live grasps, in that of the study."""
-RECORDED = "standard, recorded"
-"""The jar of the recording, among the jars that are grasped live."""
-MODELS = "haptic_models.json"
+
+
+def recorded(world: str) -> str:
+    """Name of the recorded jar of a world, among those that are grasped live."""
+    return f"{world}, recorded"
+
+
+def models_file(world: str) -> str:
+    """Name of the file with the models of a world's recorded grasps."""
+    return f"models_{world}.json"
 
 
 @dataclass(frozen=True)
@@ -28,7 +35,7 @@ class HapticResults:
     """What came out."""
 
     grasps: Mapping[str, Sequence[Grasp]]
-    """Of each jar; `RECORDED` is the recording's."""
+    """Of each jar; those of a recording are called `recorded`."""
     models: Mapping[str, TrajectoryModels]
     """Of the grasps of each jar."""
     told: pa.Table
@@ -40,7 +47,7 @@ class HapticResults:
     def tables(self) -> dict[str, pa.Table]:
         """All of them, by the name of their file."""
         return {
-            "haptics_grasps": table(self.grasps[RECORDED]),
+            "haptics_grasps": _all_grasps(self.grasps),
             "haptics_told": self.told,
             "haptics_numbers": self.numbers,
         }
@@ -48,7 +55,7 @@ class HapticResults:
 
 def run(
     folder: Path,
-    recording: Recording,
+    recordings: Mapping[str, Recording],
     settings: HapticSettings | None = None,
     jobs: int = 1,
     tell: Callable[[str], object] = print,
@@ -58,13 +65,13 @@ def run(
     Args:
         folder: of the study; live grasps are kept in `haptics` in it, the models of
             the recorded ones beside them.
-        recording: with what was felt.
+        recordings: with what was felt, by the names of their worlds.
         settings: of the study.
         jobs: processes side by side.
         tell: takes a line for people now and then.
 
     Raises:
-        RecordingError: if the recording has no grasps, or too few of an end.
+        RecordingError: if a recording has no grasps, or too few of an end.
         RenderingUnavailable: if jars are to be grasped and there is no OpenGL.
         RunFolderError: if a kept file is damaged.
         ChildProcessError: if a process was killed.
@@ -72,12 +79,14 @@ def run(
     settings = HapticSettings() if settings is None else settings
     check_integer("jobs", jobs, 1, MOST_JOBS)
     rng = np.random.default_rng(settings.seed)
-    felt = {RECORDED: grasps(recording), **_live(folder, settings, jobs, tell)}
+    felt = {recorded(world): grasps(one) for world, one in recordings.items()}
+    felt |= _live(folder, settings, jobs, tell)
     models = {
         jar: ends.clustered(each, settings.clusters, rng).models
         for jar, each in felt.items()
     }
-    models[RECORDED].write(folder / FOLDER / MODELS)
+    for world in recordings:
+        models[recorded(world)].write(folder / FOLDER / models_file(world))
     tables = _told(felt, settings, rng), _numbers(felt, settings, rng)
     return HapticResults(felt, models, *tables)
 
@@ -102,6 +111,14 @@ def _numbers(
 
     return pa.concat_tables(
         ends.numbers(jar, each, settings.most_models, clusters, rng)
+        for jar, each in felt.items()
+    )
+
+
+def _all_grasps(felt: Mapping[str, Sequence[Grasp]]) -> pa.Table:
+    """Grasps of all jars, under `grasp.SCHEMA` and the jar's name."""
+    return pa.concat_tables(
+        table(each).add_column(0, "jar", pa.array([jar] * len(each), pa.string()))
         for jar, each in felt.items()
     )
 

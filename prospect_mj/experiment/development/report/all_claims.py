@@ -46,7 +46,12 @@ def _causal(results: Results) -> list[Claim]:
 
 def _population(results: Results) -> list[Claim]:
     found = spread(results)
-    return [between_learners(found)] if CONJECTURED.learner in found else []
+    equal = {
+        row.learner: findings
+        for row, findings in by_row(results.learners).items()
+        if row.rule == CONJECTURED.rule
+    }
+    return [between_learners(found, equal)] if CONJECTURED.learner in found else []
 
 
 def _worlds(results: Results) -> list[Claim]:

@@ -84,7 +84,9 @@ def _conjecture(rows: Rows, said: Mapping[Subject, Verdict]) -> str:
         f"**{_SHOWS[said[CONJECTURED]]}**, by all criteria together: in difficult "
         f"trials late corrections are gone after {late} trials, early ones after "
         f"{early}; corrections exceed the optimal strategy for {led} trials on end, "
-        f"and the worst block of easy trials is {easy} optimal."
+        f"and the worst block of easy trials is {easy} optimal. The criteria don't ask "
+        "for an age at which both corrections are as frequent, as at nine months: that "
+        "is looked for below, beside the stages of infants."
     )
 
 

@@ -18,7 +18,6 @@ from prospect_mj.experiment.development.report.cells import ORDER_TITLE, order
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.study.causal import (
     CACHES,
-    LABELLED_RATES,
     LABELS,
     ORDERS,
     RATES,
@@ -72,7 +71,8 @@ the value before. Columns: the least rate at which values follow, the inertia of
 _LABELLED = """\
 The learner finds its features itself. *td*: an example is better or worse by its
 temporal-difference target, *return*: by all that the rest of its trial brought;
-*surprising*: only what is far from the mean is remembered, *all*: everything.
+*surprising*: only what is far from the mean is remembered, *all*: everything. Splits
+that are forced use no labels, so that these can't be crossed with the order above.
 """
 
 
@@ -100,7 +100,7 @@ def causal(results: Results) -> Iterator[str]:
     yield "![Labels](figures/causal_labels.png)"
     yield _crossed(
         ("labels", "remembered", "values"),
-        LABELLED_RATES,
+        RATES,
         product(LABELS, CACHES, VALUES),
         lambda names, rate: rows[labelled_name(*names, rate)],
     )

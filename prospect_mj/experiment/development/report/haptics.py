@@ -8,7 +8,7 @@ import pyarrow.compute as pc
 from prospect_mj.experiment.development.claims.criteria import develops
 from prospect_mj.experiment.development.haptics import ends
 from prospect_mj.experiment.development.haptics.grasp import KINDS
-from prospect_mj.experiment.development.haptics.haptics import RECORDED, HapticResults
+from prospect_mj.experiment.development.haptics.haptics import HapticResults, recorded
 from prospect_mj.experiment.development.report.cells import measured_table
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.report.haptics_answer import answer
@@ -17,6 +17,7 @@ from prospect_mj.experiment.development.study.measured import GRASP, INSERTION
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.experiment.paper.measures.quantity import Kind, with_interval
 from prospect_mj.experiment.paper.report.markdown import table
+from prospect_mj.recording.worlds import STANDARD
 
 _MODELS = """\
 The paths of the grasp controller through the phase portrait of its residual and the
@@ -55,7 +56,7 @@ def haptics(results: Results) -> Iterator[str]:
     found = results.haptics
     yield "## Haptic categories"
     yield answer(found.told, results.touches)
-    yield _MODELS.format(models=len(found.models[RECORDED])).rstrip()
+    yield _MODELS.format(models=len(found.models[recorded(STANDARD)])).rstrip()
     yield "![Phase portraits of grasps](figures/haptics_portraits.png)"
     yield "### What they tell that two bits can't"
     yield _TOLD.rstrip()
@@ -65,7 +66,9 @@ def haptics(results: Results) -> Iterator[str]:
     yield _numbers(found)
     yield "### What they do to late and early corrections"
     yield _EFFECT.rstrip()
-    yield "![Strategies of those told more](figures/haptics_strategies.png)"
+    for world in dict.fromkeys(one.row.world for one in results.touches):
+        picture = f"figures/haptics_strategies_{world}.png"
+        yield f"![Strategies of those told more, {world} jar]({picture})"
     yield _effect(results)
     yield command(results, "haptics")
 
@@ -95,10 +98,11 @@ def _numbers(found: HapticResults) -> str:
 
 
 def _effect(results: Results) -> str:
-    head = "learner", "told", "as infants", "insertion split", "grasp split"
+    head = "jar", "learner", "told", "as infants", "insertion split", "grasp split"
     rows = [
         (
             (
+                one.row.world,
                 one.row.name,
                 one.row.touch,
                 develops(one.measured),

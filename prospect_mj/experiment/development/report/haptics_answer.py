@@ -41,7 +41,7 @@ def answer(told: pa.Table, rows: Iterable[MeasuredCurves]) -> str:
         told: under `ends.TOLD`.
         rows: learners that are told more or less, measured.
     """
-    of_learner = groupby(tellings(rows), key=lambda one: one.learner)
+    of_learner = groupby(tellings(rows), key=lambda one: (one.jar, one.learner))
     effects = (line for _, group in of_learner for line in _effects(list(group)))
     return "\n\n".join(
         [
@@ -81,12 +81,15 @@ def _effects(told: list[Telling]) -> Iterator[str]:
             for measures in ((late_gone, late_most), (early_gone, early_most))
         )
         yield (
-            f"*{one.learner}*, told {_TOLD[one.touch]}: late corrections are {late}; "
-            f"early ones are {early}"
+            f"*{one.learner}*, {one.jar} jar, told {_TOLD[one.touch]}: late "
+            f"corrections are {late}; early ones are {early}"
         )
     shown = [told[0].usual, *(one.told for one in told)]
     verdicts = (f"{_TOLD[one.row.touch]}, {develops(one.measured)}" for one in shown)
-    yield f"*{told[0].learner}*, as infants by all criteria: {'; '.join(verdicts)}"
+    yield (
+        f"*{told[0].learner}*, {told[0].jar} jar, as infants by all criteria: "
+        f"{'; '.join(verdicts)}"
+    )
 
 
 def _corrections(telling: Telling, gone: Measure, most: Measure) -> str:

@@ -32,8 +32,8 @@ CHANCE = 0.5
 _EFFECTS: Mapping[Touch, tuple[str, tuple[Measure, ...]]] = MappingProxyType(
     {
         CATEGORY: (
-            "Told the category of each grasp of the standard jar, a learner is through "
-            "with late and with early corrections sooner than told the hand only.",
+            "Told the category of each grasp, a learner is through with late and with "
+            "early corrections sooner than told the hand only.",
             (late_gone, early_gone),
         ),
         END: (
@@ -101,5 +101,5 @@ def _effect(telling: Telling) -> Claim:
         words,
         all_of(there) if there else Verdict.OPEN,
         "; ".join(evidence),
-        telling.learner,
+        f"{telling.learner}, jar: {telling.jar}",
     )

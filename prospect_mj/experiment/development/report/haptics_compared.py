@@ -83,6 +83,8 @@ class Telling(NamedTuple):
     """A learner that is told more, beside the same told the hand only."""
 
     learner: str
+    jar: str
+    """World whose grasps these are."""
     usual: MeasuredCurves
     told: MeasuredCurves
 
@@ -99,15 +101,16 @@ class Telling(NamedTuple):
 
 def tellings(rows: Iterable[MeasuredCurves]) -> Iterator[Telling]:
     """All of them: each learner told each thing more."""
-    usual: dict[str, MeasuredCurves] = {}
+    usual: dict[tuple[str, str], MeasuredCurves] = {}
     others = []
     for one in rows:
         if one.row.touch == BITS:
-            usual[one.row.name] = one
+            usual[one.row.name, one.row.world] = one
         else:
             others.append(one)
     for one in others:
-        yield Telling(one.row.name, usual[one.row.name], one)
+        of = one.row.name, one.row.world
+        yield Telling(*of, usual[of], one)
 
 
 def _bounds(found: Interval) -> Interval:

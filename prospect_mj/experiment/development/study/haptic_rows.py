@@ -11,20 +11,24 @@ FEELING = ("linear", "discovery")
 """Learners that are told: the paper's, and that of the conjecture."""
 
 
-def rows(study: StudySettings, categories: Mapping[Touch, int]) -> list[Row]:
+def rows(
+    study: StudySettings, categories: Mapping[str, Mapping[Touch, int]]
+) -> list[Row]:
     """Both learners told each of the three, failed actions being suppressed.
 
     Args:
         study: its size.
-        categories: how many kinds of grasp each of the three has.
+        categories: by world, how many kinds of grasp each of the three has.
     """
     return [
         Row(
             "haptics",
             name,
             population(study, DEFAULTS[name], categories=number),
+            world=world,
             touch=touch,
         )
+        for world, numbers in categories.items()
         for name in FEELING
-        for touch, number in categories.items()
+        for touch, number in numbers.items()
     ]

@@ -36,6 +36,11 @@ CONTROLS: Mapping[str, AnyLearnerSettings] = MappingProxyType(
 )
 """Learners that could show the same for other reasons, by name."""
 
+FEATURELESS = "table, copied habit, known correction, replays"
+"""That control which needs no features at all to develop as the others may."""
+SHOWN = (*DEFAULTS, FEATURELESS)
+"""Those that are drawn."""
+
 
 def rows(study: StudySettings) -> list[Row]:
     """Every learner under both rules."""

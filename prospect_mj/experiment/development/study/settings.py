@@ -32,6 +32,10 @@ IMAGE_WORLDS = (STANDARD, "lamp-right", "lamp-high", "noisy", "ring-label")
 CHANGES = ("post", "lamp-right")
 """Those that the standard world changes into after learning."""
 
+FELT_WORLDS = (STANDARD, "wide-lid")
+"""Those whose recorded grasps learners are told of: the category tells which end of the
+standard jar is held in most grasps, and of one with a wider lid in nearly all."""
+
 _MOST_RUNS = 10_000
 _MOST_DEEP, _MOST_TRIALS, _MOST_PLANNED = 1000, 100_000, 50
 _FEW = 5
@@ -114,4 +118,5 @@ class Extent:
         wanted = [STANDARD]
         wanted += self.worlds if "worlds" in self.parts else ()
         wanted += self.changes if "change" in self.parts else ()
+        wanted += FELT_WORLDS if "haptics" in self.parts else ()
         return tuple(dict.fromkeys(wanted))

@@ -5,7 +5,6 @@ from dataclasses import replace
 from pathlib import Path
 from time import perf_counter
 
-from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.haptics import haptics, touch
 from prospect_mj.experiment.development.haptics.settings import HapticSettings
 from prospect_mj.experiment.development.rivals import rivals
@@ -29,6 +28,7 @@ from prospect_mj.experiment.development.study.recordings import Recordings
 from prospect_mj.experiment.development.study.results import Results, Single
 from prospect_mj.experiment.development.study.rows import Row
 from prospect_mj.experiment.development.study.settings import (
+    FELT_WORLDS,
     PARTS,
     Extent,
     Part,
@@ -98,7 +98,7 @@ class Study:
             learned = self._laboratory.learned(row)
             rng = self._settings.rng(PARTS.index("learners"), number)
             self._results.learners.append(measured.told(row, learned, rng))
-            if row.rule == "suppressed" and row.name in DEFAULTS:
+            if row.rule == "suppressed" and row.name in learners.SHOWN:
                 self._results.singles.append(Single(row, learned))
         self._towards_abstract(len(rows))
 
@@ -162,13 +162,19 @@ class Study:
     def _haptics(self) -> None:
         size = self._settings
         settings = HapticSettings(grasped=size.grasped, seed=size.seed)
-        recording, at = self._recordings.standard, self._folder
-        found = haptics.run(at, recording, settings, self._jobs, self._tell)
-        worlds = touch.worlds(recording, found.models[haptics.RECORDED])
-        numbers = {told: world.categories for told, world in worlds.items()}
+        felt = {name: self._recordings.by_world[name] for name in FELT_WORLDS}
+        found = haptics.run(self._folder, felt, settings, self._jobs, self._tell)
+        worlds = {
+            name: touch.worlds(recording, found.models[haptics.recorded(name)])
+            for name, recording in felt.items()
+        }
+        numbers = {
+            name: {told: world.categories for told, world in told_worlds.items()}
+            for name, told_worlds in worlds.items()
+        }
         self._results.haptics = found
         self._results.touches = [
-            self._shown(row, number, world=worlds[row.touch])
+            self._shown(row, number, world=worlds[row.world][row.touch])
             for number, row in enumerate(haptic_rows.rows(size, numbers))
         ]
 

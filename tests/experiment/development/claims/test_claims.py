@@ -113,10 +113,28 @@ def test_learners_that_differ_are_mixed_in_their_mean_alone():
         (mixed, Verdict.FAILS),
         (alike, Verdict.FAILS),
     ):
-        assert between_learners({"discovery": found}).verdict is expected
-    claim = between_learners({"discovery": mixed, "replay": differing})
+        assert between_learners({"discovery": found}, {}).verdict is expected
+    claim = between_learners({"discovery": mixed, "replay": differing}, {})
     assert claim.verdict is Verdict.FAILS
     assert claim.evidence.endswith("it also holds for: replay")
+
+
+def test_learners_that_differ_are_more_mixed_than_equal_ones():
+    def runs(changes):
+        stages = ([L] * 5, [E] * 5, [B] * 5)
+        return [
+            [s for s, n in zip(stages, (c, 6, 25 - c), strict=True) for _ in range(n)]
+            for c in changes
+        ]
+
+    differing = {"discovery": findings(*runs(range(2, 12)))}
+    little = {"discovery": findings(*runs([6] * 9 + [7]))}
+    assert between_learners(differing, little).verdict is Verdict.HOLDS
+    assert between_learners(differing, differing).verdict is Verdict.OPEN
+    more = {"discovery": findings(*runs([2] * 5 + [15] * 5))}
+    claim = between_learners(differing, more)
+    assert claim.verdict is Verdict.FAILS
+    assert claim.evidence.endswith(" of equal learners")
 
 
 def test_a_phase_of_late_ones_alone_must_come_first():

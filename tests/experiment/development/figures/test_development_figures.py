@@ -32,7 +32,12 @@ NAMES = {
     "worlds": ("worlds",),
     "change": ("change",),
     "found": ("found",),
-    "haptics": ("haptics_portraits", "haptics_separation", "haptics_strategies"),
+    "haptics": (
+        "haptics_portraits",
+        "haptics_separation",
+        "haptics_strategies_standard",
+        "haptics_strategies_wide-lid",
+    ),
 }
 
 

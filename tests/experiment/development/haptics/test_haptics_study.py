@@ -11,6 +11,7 @@ from prospect_mj.experiment.development.haptics import ends, haptics
 from prospect_mj.experiment.development.haptics.settings import HapticSettings
 from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY, END, worlds
 from prospect_mj.haptics import ClusterSettings, TrajectoryModels
+from prospect_mj.recording.worlds import STANDARD
 
 
 @pytest.fixture
@@ -20,12 +21,20 @@ def results(tmp_path: Path, monkeypatch) -> haptics.HapticResults:
     settings = HapticSettings(
         ClusterSettings(models=3, starts=2), most_models=2, grasped=0
     )
-    return haptics.run(tmp_path, recording(), settings, tell=lambda line: None)
+    felt = {STANDARD: recording()}
+    return haptics.run(tmp_path, felt, settings, tell=lambda line: None)
 
 
 def test_models_are_kept_beside_the_grasps(results, tmp_path: Path):
-    path = tmp_path / haptics.FOLDER / haptics.MODELS
-    assert TrajectoryModels.read(path) == results.models[haptics.RECORDED]
+    path = tmp_path / haptics.FOLDER / haptics.models_file(STANDARD)
+    assert TrajectoryModels.read(path) == results.models[haptics.recorded(STANDARD)]
+
+
+def test_the_table_has_every_grasp_with_its_jar(results):
+    (felt,) = results.grasps.values()
+    found = results.tables["haptics_grasps"]
+    assert found["jar"].to_pylist() == ["standard, recorded"] * len(felt)
+    assert found["seconds"].to_pylist() == [g.felt[:, 0].tolist() for g in felt]
 
 
 def test_the_end_is_told_by_each_sense_and_number_of_models(results):
@@ -36,7 +45,7 @@ def test_the_end_is_told_by_each_sense_and_number_of_models(results):
 
 
 def test_learners_are_told_the_hand_the_category_or_the_end(results):
-    found = worlds(recording(), results.models[haptics.RECORDED])
+    found = worlds(recording(), results.models[haptics.recorded(STANDARD)])
     numbers = {name: world.categories for name, world in found.items()}
     assert numbers == {BITS: 0, CATEGORY: 3, END: 2}
 

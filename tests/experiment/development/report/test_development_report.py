@@ -78,7 +78,7 @@ def test_what_is_linked_is_there(whole, monkeypatch):
     made = results()
     monkeypatch.setattr(pictures, "_strategies", lambda results: b"")
     monkeypatch.setattr(pictures, "_change", lambda results: b"")
-    monkeypatch.setattr(pictures, "_touches", lambda results: b"")
+    monkeypatch.setattr(pictures, "_touches", lambda results, world: b"")
     monkeypatch.setattr(pictures, "jar_pictures", lambda recording: [])
     names = {f"figures/{name}.png" for name, _ in pictures.pictures(made, None)}
     names |= {f"tables/{name}.parquet" for name in tables(made)}
@@ -149,7 +149,7 @@ def test_every_causal_row_is_in_a_table(whole):
     found = sum(line.count("; 100.0 %; ") + line.count("; 0.0 %; ") for line in crossed)
     kept = len(causal.VALUES) - 1
     per_values = len(causal.ORDERS) * len(causal.RATES)
-    labelled = len(causal.LABELS) * len(causal.CACHES) * len(causal.LABELLED_RATES)
+    labelled = len(causal.LABELS) * len(causal.CACHES) * len(causal.RATES)
     assert found == kept * (per_values + labelled)
 
 

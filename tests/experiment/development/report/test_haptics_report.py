@@ -1,6 +1,7 @@
 """What is said of haptic categories follows from what was measured."""
 
 from dataclasses import replace
+from itertools import product
 from math import inf, nan
 
 import pyarrow as pa
@@ -25,7 +26,7 @@ from prospect_mj.experiment.development.report.haptics_compared import (
     tellings,
 )
 from prospect_mj.experiment.development.study.haptic_rows import FEELING
-from prospect_mj.experiment.development.study.settings import Extent
+from prospect_mj.experiment.development.study.settings import FELT_WORLDS, Extent
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
 from prospect_mj.experiment.paper.measures.target import Verdict
 
@@ -75,8 +76,8 @@ def test_shares_are_rarer_or_more_frequent():
 
 
 def test_every_learner_is_compared_with_itself_told_the_hand(results):
-    found = [(one.learner, one.touch) for one in tellings(results.touches)]
-    assert found == [(name, touch) for name in FEELING for touch in (CATEGORY, END)]
+    found = [(one.jar, one.learner, one.touch) for one in tellings(results.touches)]
+    assert found == list(product(FELT_WORLDS, FEELING, (CATEGORY, END)))
     for one in tellings(results.touches):
         late = one.compared(late_gone)
         # By hand: late corrections for 60 trials, for 100 told the category.
@@ -100,22 +101,22 @@ def test_how_well_an_end_is_told_is_said_by_the_lower_bound(results, low, words)
     bounds = f"90 ({100 * low:.0f} to 95) %"
     assert len(of_ends) == 1
     assert of_ends[0].startswith(f"- {words}: ")
-    assert of_ends[0].count(bounds) == 2
+    assert of_ends[0].count(bounds) == 2 * len(FELT_WORLDS)
 
 
 def test_the_answer_says_what_was_measured(results):
     words = answer(results.haptics.told, results.touches)
     assert (
-        "*linear*, told the category: late corrections are gone later, 100 trials in "
-        "place of 60 trials" in words
+        "*linear*, standard jar, told the category: late corrections are gone later, "
+        "100 trials in place of 60 trials" in words
     )
     assert (
-        "*discovery*, told the very end: late corrections are gone sooner, never above "
-        "10 % in place of 60 trials" in words
+        "*discovery*, wide-lid jar, told the very end: late corrections are gone "
+        "sooner, never above 10 % in place of 60 trials" in words
     )
     assert (
-        "*discovery*, as infants by all criteria: the hand, holds; the category, does "
-        "not hold; the very end, does not hold" in words
+        "*discovery*, wide-lid jar, as infants by all criteria: the hand, holds; the "
+        "category, does not hold; the very end, does not hold" in words
     )
 
 
@@ -123,7 +124,7 @@ def test_the_answer_says_what_was_measured(results):
     ("low", "verdict"), [(0.6, Verdict.HOLDS), (0.4, Verdict.OPEN)]
 )
 def test_the_category_tells_the_end_if_all_of_the_interval_does(results, low, verdict):
-    (claim,) = separations(told(results, low))
+    claim, _ = separations(told(results, low))
     assert claim.verdict is verdict
     assert claim.of == "jar: standard, recorded"
     assert "out of the cradle 90 " in claim.evidence
@@ -133,12 +134,13 @@ def test_the_category_tells_the_end_if_all_of_the_interval_does(results, low, ve
 def test_claims_follow_the_learners(results):
     by_end = {"late corrections that are rarer, and gone sooner": Verdict.HOLDS}
     by_category = {"through with late and with early": Verdict.FAILS}
-    for claim in haptic_claims(results)[1:]:
+    for claim in haptic_claims(results)[len(FELT_WORLDS) :]:
         expected = {**by_end, **by_category}
         (verdict,) = (said for words, said in expected.items() if words in claim.words)
         assert claim.verdict is verdict
-    told_of = [claim.of for claim in haptic_claims(results)[1:]]
-    assert told_of == [name for name in FEELING for _ in by_end | by_category]
+    told_of = [claim.of for claim in haptic_claims(results)[len(FELT_WORLDS) :]]
+    of = product(FELT_WORLDS, FEELING, by_end | by_category)
+    assert told_of == [f"{name}, jar: {jar}" for jar, name, _ in of]
 
 
 def test_a_claim_on_what_never_was_there_is_undecided(results):
@@ -147,7 +149,7 @@ def test_a_claim_on_what_never_was_there_is_undecided(results):
         numbers = dict(one.measured.measured)
         numbers |= {late_gone.name: NOTHING, early_gone.name: NOTHING}
         rows.append(one._replace(measured=one.measured._replace(measured=numbers)))
-    found = haptic_claims(replace(results, touches=rows))[1:]
+    found = haptic_claims(replace(results, touches=rows))[len(FELT_WORLDS) :]
     of_category = [one for one in found if "Told the category" in one.words]
     assert {one.verdict for one in of_category} == {Verdict.OPEN}
 
@@ -160,6 +162,7 @@ def test_the_section_has_every_row(results):
     text = "\n\n".join(haptics(results))
     for one in results.touches:
         verdict = "holds" if one.row.touch == "two bits" else "does not hold"
-        line = f"\n| {one.row.name} | {one.row.touch} | {verdict} | - | - | 4 | "
+        of = f"{one.row.world} | {one.row.name}"
+        line = f"\n| {of} | {one.row.touch} | {verdict} | - | - | 4 | "
         assert line in text
     assert "| standard, recorded | hand-over | 12 | 24 | 50 (25 to 75) | 100" in text

@@ -25,12 +25,13 @@ from prospect_mj.experiment.development.study import (
     study,
 )
 from prospect_mj.experiment.development.study.learning import Laboratory
-from prospect_mj.experiment.development.study.settings import Extent
+from prospect_mj.experiment.development.study.settings import FELT_WORLDS, Extent
 from prospect_mj.experiment.development.study.study import Study
 from prospect_mj.experiment.development.study.tables import tables
 from prospect_mj.experiment.populations import digests, store
 from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 from prospect_mj.experiment.run.learning_curve import BLOCK
+from prospect_mj.recording.worlds import STANDARD
 
 EXTENT = Extent(("learners", "worlds", "change"), ("standard", "noisy"), ("post",))
 N_TOWARDS = 2 * (3 + 3 + 1)
@@ -220,7 +221,7 @@ def test_a_world_with_categories_has_its_own_population(tmp_path, worlds, learne
         BITS: RecordedWorld(standard),
         CATEGORY: RecordedWorld(standard, 2, category),
     }
-    rows = haptic_rows.rows(SETTINGS, {BITS: 0, CATEGORY: 2})
+    rows = haptic_rows.rows(SETTINGS, {STANDARD: {BITS: 0, CATEGORY: 2}})
     asked = [row for row in rows if row.name == "discovery"]
     assert [row.settings.learner.n_haptic for row in asked] == [3, n_haptic(2)]
     laboratory = Laboratory(tmp_path, worlds, 1, lambda line: None)
@@ -235,20 +236,23 @@ def test_what_learners_are_told_of_grasps_is_a_part_like_others(
     tmp_path, worlds, monkeypatch
 ):
     standard, asked = worlds.standard, []
-    found = SimpleNamespace(models={study.haptics.RECORDED: None}, tables={})
+    recorded = map(study.haptics.recorded, FELT_WORLDS)
+    found = SimpleNamespace(models=dict.fromkeys(recorded), tables={})
     monkeypatch.setattr(study.haptics, "run", lambda *a: asked.append(a) or found)
     end = np.arange(len(standard.nodes.child)) % 2
     told = {BITS: RecordedWorld(standard), END: RecordedWorld(standard, 2, end)}
     monkeypatch.setattr(study.touch, "worlds", lambda recording, models: told)
     made = opened(tmp_path, worlds, extent=Extent(("haptics",))).results()
-    ((folder, recording, haptic, *_),) = asked
-    assert (folder, recording) == (tmp_path, standard)
+    ((folder, felt, haptic, *_),) = asked
+    assert folder == tmp_path
+    assert felt == {world: worlds.by_world[world] for world in FELT_WORLDS}
     assert (haptic.grasped, haptic.seed) == (0, 0)
-    names = [(one.row.name, one.row.touch) for one in made.touches]
-    assert names == list(product(haptic_rows.FEELING, told))
+    names = [(one.row.world, one.row.name, one.row.touch) for one in made.touches]
+    assert names == list(product(FELT_WORLDS, haptic_rows.FEELING, told))
     assert {one.measured.runs for one in made.touches} == {SETTINGS.fewer_runs}
     rows = tables(made)["measured"].to_pylist()
-    assert {(row["name"], row["touch"]) for row in rows} == set(names)
+    found = {(row["world"], row["name"], row["touch"]) for row in rows}
+    assert found == set(names)
 
 
 def test_rivals_get_the_study_s_sizes(tmp_path, worlds, monkeypatch):

@@ -19,6 +19,7 @@ from prospect_mj.experiment.development.study import (
 )
 from prospect_mj.experiment.development.study.settings import (
     CHANGES,
+    FELT_WORLDS,
     IMAGE_WORLDS,
     StudySettings,
 )
@@ -32,7 +33,9 @@ PARTS = {
     "population": population.rows(STUDY),
     "worlds": world_rows.worlds(STUDY, IMAGE_WORLDS),
     "change": world_rows.changes(STUDY, CHANGES),
-    "haptics": haptic_rows.rows(STUDY, {BITS: 0, CATEGORY: 3, END: 2}),
+    "haptics": haptic_rows.rows(
+        STUDY, {world: {BITS: 0, CATEGORY: 3, END: 2} for world in FELT_WORLDS}
+    ),
 }
 CAUSAL = {row.name: row for row in PARTS["causal"]}
 
@@ -116,9 +119,7 @@ def test_forced_splits_are_crossed_with_values_and_rates():
 
 
 def test_labels_are_crossed_with_what_is_remembered_values_and_rates():
-    crossed = product(
-        causal.LABELS, causal.CACHES, causal.VALUES, causal.LABELLED_RATES
-    )
+    crossed = product(causal.LABELS, causal.CACHES, causal.VALUES, causal.RATES)
     for labels, cache, values, rate in crossed:
         row = CAUSAL[causal.labelled_name(labels, cache, values, rate)]
         expected = replace(

@@ -7,6 +7,7 @@ from prospect_mj.experiment.development.haptics.settings import HapticSettings
 from prospect_mj.experiment.development.rivals.settings import RivalSettings
 from prospect_mj.experiment.development.study.settings import (
     CHANGES,
+    FELT_WORLDS,
     IMAGE_WORLDS,
     PARTS,
     Extent,
@@ -75,7 +76,9 @@ def test_parts_and_worlds_that_are_not_there_are_refused(extent, words):
 
 
 def test_recordings_are_asked_for_only_where_a_part_learns_from_them():
-    assert Extent().all_worlds == tuple(dict.fromkeys((*IMAGE_WORLDS, *CHANGES)))
+    everything = (*IMAGE_WORLDS, *CHANGES, *FELT_WORLDS)
+    assert Extent().all_worlds == tuple(dict.fromkeys(everything))
+    assert Extent(("haptics",)).all_worlds == FELT_WORLDS
     assert Extent(("learners", "rivals")).all_worlds == ("standard",)
     assert Extent(("worlds",), ("noisy",)).all_worlds == ("standard", "noisy")
     assert Extent(("change",), changes=("post",)).all_worlds == ("standard", "post")
