@@ -88,9 +88,7 @@ def _run_trial(
         if not np.isfinite(error):
             return DIVERGED
         if len(state.ring.drawn):
-            place = remember(
-                state.ring, side, haptic, action, follows, ended, allowed
-            )
+            place = remember(state.ring, side, haptic, action, follows, ended, allowed)
             forget(state.ring, place)
             _replay(state, rule, rng)
         if taken.inserted:
