@@ -5,7 +5,6 @@ from math import isinf, isnan
 
 import pyarrow as pa
 
-from prospect_mj.experiment.development.claims.criteria import CONFIDENT
 from prospect_mj.experiment.development.study.abstract_told import Abstract
 from prospect_mj.experiment.development.study.measured import ORDER, Measured
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
@@ -119,11 +118,6 @@ class ComparedOrder(Compared):
     def is_outside(self, told: Abstract, one: Measured) -> bool:
         """As `differs`."""
         return self.differs(told, one)
-
-    def differs(self, told: Abstract, one: Measured) -> bool:
-        """Whether they are confidently gone first on one of both tasks only."""
-        confident = [share >= CONFIDENT for share in (told.order, one.order)]
-        return self.is_told(told) and confident[0] != confident[1]
 
 
 COMPARED = (

@@ -54,11 +54,12 @@ def test_numbers_are_outside_or_differ(name, said, interval, outside, differs):
 
 @pytest.mark.parametrize(
     ("said", "found", "differs"),
-    [(1.0, 0.94, True), (0.0, 0.9, False), (0.96, 0.95, False), (nan, 1.0, False)],
+    [(1.0, 0.94, False), (0.0, 0.4, True), (0.11, 0.81, True), (nan, 1.0, False)],
 )
-def test_orders_differ_where_one_of_both_is_confident(said, found, differs):
-    one = row("late_gone", 80, order=found)
-    assert BY_NAME["order"].differs(told(order=said), one) == differs
+def test_orders_have_no_interval_and_are_alike_within_ten_points(said, found, differs):
+    each, one = BY_NAME["order"], row("late_gone", 80, order=found)
+    assert each.differs(told(order=said), one) == differs
+    assert each.is_outside(told(order=said), one) == differs
 
 
 @pytest.mark.parametrize(
