@@ -149,11 +149,13 @@ def results(extent=EXTENT, settings=SETTINGS):
             if row.rule == "suppressed" and row.name in learners.SHOWN:
                 made.singles.append(Single(row, runs(kind)))
         made.outcomes = IdealOutcomes(500, 0)
-        made.towards_abstract = [
-            shown(row, "infant").measured for row in abstract_rows.rows(settings)
-        ]
     if "causal" in parts:
         made.causal = [causal_row(row) for row in causal.rows(settings)]
+    made.towards_abstract = [
+        shown(row, "infant").measured
+        for part in parts
+        for row in abstract_rows.rows(settings, part)
+    ]
     if "population" in parts:
         made.population = [told(row, "infant") for row in spread.rows(settings)]
     if "worlds" in parts:

@@ -36,13 +36,20 @@ class Experience:
         width: numbers of a state.
         n_actions: number of actions.
         dtype: kind of a state's numbers.
+        forgets: whether it isn't remembered what could be chosen, so that all actions
+            count.
     """
 
     def __init__(
-        self, capacity: int, width: int, n_actions: int, dtype: DTypeLike
+        self,
+        capacity: int,
+        width: int,
+        n_actions: int,
+        dtype: DTypeLike,
+        forgets: bool = False,
     ) -> None:
         """Remember nothing yet."""
-        self._capacity, self._n_added = capacity, 0
+        self._capacity, self._n_added, self._forgets = capacity, 0, forgets
         self._rings = Step(
             state=np.zeros((capacity, width), dtype),
             action=np.zeros(capacity, np.int64),
@@ -61,6 +68,7 @@ class Experience:
         place = self._n_added % self._capacity
         for ring, value in zip(self._rings, step, strict=True):
             ring[place] = value
+        self._rings.allowed[place] |= self._forgets
         self._n_added += 1
 
     def replay(

@@ -32,7 +32,11 @@ class ReplayQ(LinearQ):
         super().__init__(known, rng)
         self.settings: ReplaySettings = known
         self._experience = Experience(
-            known.buffer, known.n_features, known.n_actions, np.float64
+            known.buffer,
+            known.n_features,
+            known.n_actions,
+            np.float64,
+            known.replays_forget,
         )
 
     def update(self, transition: Transition, rng: np.random.Generator) -> float:

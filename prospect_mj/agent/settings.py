@@ -55,6 +55,9 @@ class ReplaySettings:
     """Transitions learned from again after every action."""
     buffer: int = 1000
     """Transitions remembered: the latest."""
+    replays_forget: bool = False
+    """Whether the target of what is replayed counts all actions, as if it weren't known
+    any more what could be chosen: a control for the rule for failed actions."""
     epsilon: float = 0.05
     """Probability of choosing an action at random [1]."""
     discount: float = 0.99
@@ -87,6 +90,9 @@ class TableSettings:
     """Transitions learned from again after every action."""
     buffer: int = 1000
     """Transitions remembered: the latest; without replays none are."""
+    replays_forget: bool = False
+    """Whether the target of what is replayed counts all actions, as if it weren't known
+    any more what could be chosen: a control for the rule for failed actions."""
     copied_habit: bool = False
     """Whether an orientation that was never learned from has a copy of the other one's
     values: what is done with the one is done with the other, as in infants."""
@@ -209,6 +215,10 @@ def _check_step_and_start(
 def _check_experience(settings: ReplaySettings | TableSettings) -> None:
     check_integer("replays", settings.replays, 0, 1000)
     check_integer("buffer", settings.buffer, 1, _MOST)
+    check_choice("replays_forget", settings.replays_forget, (False, True))
+    if settings.replays_forget and not settings.replays:
+        expected = "false without replays"
+        raise InvalidValue("replays_forget", settings.replays_forget, expected)
 
 
 def _check_forced(settings: DiscoverySettings) -> None:

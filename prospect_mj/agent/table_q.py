@@ -60,7 +60,9 @@ class TableQ:
         self.n_updates = 0
         self._experience: Experience | None = None
         if known.replays:
-            self._experience = Experience(known.buffer, 2, known.n_actions, np.int64)
+            self._experience = Experience(
+                known.buffer, 2, known.n_actions, np.int64, known.replays_forget
+            )
 
     def q_values(self, observation: Observation) -> NDArray[np.float64]:
         """The value of every action: (n_actions,) [actions]."""

@@ -1,8 +1,16 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from told import random_steps, seen, step
 
-from prospect_mj.agent import LinearQ, LinearSettings, ReplayQ, ReplaySettings
+from prospect_mj.agent import (
+    LinearQ,
+    LinearSettings,
+    ReplayQ,
+    ReplaySettings,
+    TableSettings,
+)
 from prospect_mj.errors import InvalidValue
 
 SMALL = ReplaySettings(
@@ -47,6 +55,15 @@ def test_replayed_targets_are_those_of_the_present_weights_and_choices():
     # B, 0 ends; what is replayed has the target -1 + .5 x 0 by now.
     learner.update(step(B, 0, B, True, n=2), rng)
     assert learner.weights[0, 0] == -3.75 + 0.5 * (-1 + 3.75)
+
+
+def test_replays_that_forget_count_all_actions():
+    learner = ReplayQ(replace(SMALL, replays_forget=True))
+    learner.weights[:] = [[0, 0], [0, -8]]
+    # -1 + .5 x -8 by the action that may follow; -1 + .5 x 0 by any, when replayed.
+    only_second = step(A, 0, B, allowed=[False, True])
+    assert learner.update(only_second, Places(0)) == -5
+    assert learner.weights[0, 0] == -2.5 + 0.5 * (-1 + 2.5)
 
 
 def test_newest_takes_the_place_of_the_oldest():
@@ -97,3 +114,9 @@ def test_learning_draws_leave_choices_alone():
 def test_bad_replays_are_refused(setting, bad):
     with pytest.raises(InvalidValue, match=setting):
         ReplaySettings(**{setting: bad})
+
+
+@pytest.mark.parametrize("settings", [ReplaySettings, TableSettings])
+def test_without_replays_nothing_is_forgotten_in_them(settings):
+    with pytest.raises(InvalidValue, match="replays_forget"):
+        settings(replays=0, replays_forget=True)

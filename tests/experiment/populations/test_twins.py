@@ -26,6 +26,12 @@ LEARNERS = {
     "no replay": ReplaySettings(replays=0, epsilon=0.1),
     "table": TableSettings(epsilon=0.1),
     "table with replay": TableSettings(replays=4, buffer=70, epsilon=0.1),
+    "replay that forgets": ReplaySettings(
+        replays=3, buffer=100, epsilon=0.1, replays_forget=True
+    ),
+    "table that forgets": TableSettings(
+        replays=4, buffer=70, epsilon=0.1, replays_forget=True
+    ),
     "table that copies": TableSettings(copied_habit=True, replays=1, epsilon=0.1),
     "table that knows": TableSettings(
         copied_habit=True, known_correction=True, epsilon=0.1

@@ -1,18 +1,13 @@
 """How the recorded task differs from the abstract one that came before it, and why."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Sequence
 
-from prospect_mj.experiment.development.claims.criteria import CONFIDENT
-from prospect_mj.experiment.development.report.abstract_numbers import (
-    ABSTRACT,
-    COMPARED,
-    Compared,
-    Key,
-)
 from prospect_mj.experiment.development.report.abstract_reasons import reasons
-from prospect_mj.experiment.development.report.cells import order
-from prospect_mj.experiment.development.study.measured import Measured
+from prospect_mj.experiment.development.report.abstract_words import both, told_words
+from prospect_mj.experiment.development.study.abstract_besides import Beside, besides
+from prospect_mj.experiment.development.study.abstract_compared import COMPARED
 from prospect_mj.experiment.development.study.results import Results
+from prospect_mj.experiment.development.study.tables import ABSTRACT
 from prospect_mj.experiment.paper.report.markdown import table
 
 _TASKS = """\
@@ -23,24 +18,29 @@ learner, of cosine .8 with 5 % for its linear and replay ones. The recorded one 
 {found}.
 """
 
+_COUNTED = """\
+Rows that both tasks have: how many numbers are compared; how many of the abstract ones,
+rounded as they are told, lie *outside* of the recorded interval; and how many *differ*,
+beyond it by more than ten points, or than a tenth of a number of trials and a block of
+ten. Three of the numbers are shown, the abstract one first, **bold** where they differ,
+*slanted* where the abstract one is outside; `tables/{table}.parquet` has all. *-*: not
+told.
+"""
+
+_SHOWN = COMPARED[:3]
+
 
 def abstract(results: Results) -> Iterator[str]:
     """The section, a piece at a time."""
-    rows = {(one.row.name, one.row.rule): one.measured for one in results.learners}
-    compared = {key: rows[key] for key in ABSTRACT if key in rows}
-    if not compared:
+    rows = besides(results)
+    if not rows:
         return
     yield "## How the recorded task differs from the abstract one"
     if results.looks is not None:
         yield _tasks(results)
-    yield (
-        "Abstract number, then the recorded one with its interval; **bold** where the "
-        "abstract number lies outside of the interval by more than a tenth of itself "
-        "and a block of ten trials, or ten points. *-*: not told."
-    )
-    yield _table(compared)
-    yield _order_differs(compared)
-    yield from reasons(results, compared)
+    yield _COUNTED.format(table=ABSTRACT).rstrip()
+    yield _table(rows)
+    yield from reasons(results, rows)
 
 
 def _tasks(results: Results) -> str:
@@ -52,30 +52,23 @@ def _tasks(results: Results) -> str:
     return _TASKS.format(pictures=found["pictures"], found=words).rstrip()
 
 
-def _table(rows: Mapping[Key, Measured]) -> str:
-    head = ("learner", "rule", *(each.title for each in COMPARED), "order")
-    lines = [
-        (*key, *(_cell(each, key, one) for each in COMPARED), _orders(key, one, " / "))
-        for key, one in rows.items()
+def _table(rows: Sequence[Beside]) -> str:
+    head = ("row", "numbers", "outside", "differ", *(each.title for each in _SHOWN))
+    return table(head, [*map(_line, rows), _sum(rows)])
+
+
+def _line(one: Beside) -> tuple[str, ...]:
+    cells = [
+        both(each, one) if each.is_told(one.told) else told_words(each, one.told)
+        for each in _SHOWN
     ]
-    return table(head, lines)
+    return one.title, *map(str, _counts(one)), *cells
 
 
-def _cell(each: Compared, key: Key, one: Measured) -> str:
-    words = f"{each.said_words(key)} / {each.found_words(one)}"
-    return f"**{words}**" if each.differs(key, one) else words
+def _sum(rows: Sequence[Beside]) -> tuple[str, ...]:
+    counts = map(sum, zip(*map(_counts, rows), strict=True))
+    return "all", *map(str, counts), *("" for _ in _SHOWN)
 
 
-def _orders(key: Key, one: Measured, between: str) -> str:
-    return f"{order(ABSTRACT[key].order)}{between}{order(one.order)}"
-
-
-def _order_differs(rows: Mapping[Key, Measured]) -> str:
-    other = [
-        f"*{', '.join(key)}* ({_orders(key, one, ', now ')})"
-        for key, one in rows.items()
-        if (ABSTRACT[key].order >= CONFIDENT) != (one.order >= CONFIDENT)
-    ]
-    if not other:
-        return "The order of late and early corrections is the same in all of them."
-    return f"The order of late and early corrections differs for {'; '.join(other)}."
+def _counts(one: Beside) -> tuple[int, int, int]:
+    return len(one.compared()), len(one.outside()), len(one.differing())

@@ -1,8 +1,9 @@
 """Learners on the recorded task with one thing of the abstract task that came before.
 
-What is changed are the pictures, and the reading of the linear features, which the
-abstract task's description leaves open ("Development feasibility"). A change is made
-only of learners that know of it.
+What is changed are the pictures, and what the abstract task's description leaves open
+("Development feasibility"): the reading of the linear features, and whether what is
+replayed knows the rule for failed actions. A change is made only of rows that know of
+it: of the four learners under both rules, and of others that have abstract numbers.
 """
 
 from collections.abc import Iterator, Mapping
@@ -10,15 +11,16 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import NamedTuple
 
-from prospect_mj.agent.failed_actions import RULES, FailedActions
+from prospect_mj.agent import AnyLearnerSettings, ReplaySettings, TableSettings
 from prospect_mj.agent.features import FeatureSettings
 from prospect_mj.agent.learners import DEFAULTS
+from prospect_mj.experiment.development.study import causal, learners
+from prospect_mj.experiment.development.study.abstract_told import TOLD
 from prospect_mj.experiment.development.study.made_up import MadeUp
-from prospect_mj.experiment.development.study.rows import Row, population
-from prospect_mj.experiment.development.study.settings import StudySettings
+from prospect_mj.experiment.development.study.rows import Row
+from prospect_mj.experiment.development.study.settings import Part, StudySettings
 from prospect_mj.experiment.populations.recorded_world import RecordedWorld
 from prospect_mj.recording.recording import Recording
-from prospect_mj.recording.worlds import STANDARD
 
 MADE_UP = "made-up"
 """Name of the standard world with made-up pictures."""
@@ -41,45 +43,73 @@ READERS = ("linear", "replay")
 class Change(NamedTuple):
     """What is as in the abstract task, or may have been so."""
 
-    pictures: bool
+    pictures: bool = False
     """Made-up ones."""
-    reading: bool
+    reading: bool = False
     """One-hot in place of the usual one."""
+    forgets: bool = False
+    """The targets of what is replayed count all actions."""
 
-    def known_to(self, learner: str) -> "Change":
-        """What is left of it for a learner."""
+    def of(self, row: Row) -> "Change":
+        """What is left of it for a row."""
+        learner = row.settings.learner
+        of_four = row.part == "learners" and row.name in DEFAULTS
+        usual = of_four or row.part == "causal"
         return Change(
-            self.pictures and learner in PICTURES, self.reading and learner in READERS
+            self.pictures and usual and learner.name in PICTURES,
+            self.reading and usual and learner.name in READERS,
+            self.forgets and row.rule == "suppressed" and _replays(learner),
         )
 
 
+NOTHING = Change()
 BOTH = "both"
-NOTHING = Change(pictures=False, reading=False)
 CHANGES: Mapping[str, Change] = MappingProxyType(
     {
-        "made-up pictures": Change(pictures=True, reading=False),
-        "the other reading": Change(pictures=False, reading=True),
+        "made-up pictures": Change(pictures=True),
+        "the other reading": Change(reading=True),
         BOTH: Change(pictures=True, reading=True),
+        "replays that forget": Change(forgets=True),
     }
 )
 
 
-def rows(study: StudySettings) -> list[Row]:
-    """Every learner under both rules, with each change that it knows of."""
+def rows(study: StudySettings, part: Part) -> list[Row]:
+    """Those with a change, of one part.
+
+    Args:
+        study: its size.
+        part: learners or causal; no other part has any.
+    """
+    recorded = {"learners": learners.rows, "causal": causal.rows}.get(part)
+    if recorded is None:
+        return []
     return [
-        _row(study, name, rule, change)
-        for rule in RULES
-        for name in DEFAULTS
-        for change in _changes(name)
+        changed(row, change, study)
+        for row in recorded(study)
+        if row.name in DEFAULTS or (part, row.name, row.rule) in TOLD
+        for change in _changes(row)
     ]
 
 
-def key(name: str, rule: str, change: Change) -> tuple[str, str, str]:
-    """Name, rule and world of the row of a learner with a change that it knows of.
+def changed(row: Row, change: Change, study: StudySettings) -> Row:
+    """A row with a change, of as many runs as rows with one thing changed have.
 
-    Without any change they are those of the recorded task's own row.
+    Args:
+        row: as recorded.
+        change: that it knows of.
+        study: its size.
     """
-    return _title(name, change), rule, _world(change)
+    name, settings = row.name, replace(row.settings, runs=study.fewer_runs)
+    if change.reading:
+        name = f"{name}, {_OTHER.reading}"
+        settings = replace(settings, features=_OTHER)
+    if change.forgets:
+        name = f"{name}, forgetting"
+        learner = replace(settings.learner, replays_forget=True)
+        settings = replace(settings, learner=learner)
+    world = MADE_UP if change.pictures else row.world
+    return replace(row, name=name, settings=settings, world=world)
 
 
 def worlds(recording: Recording, study: StudySettings) -> dict[str, RecordedWorld]:
@@ -90,22 +120,11 @@ def worlds(recording: Recording, study: StudySettings) -> dict[str, RecordedWorl
     }
 
 
-def _row(study: StudySettings, name: str, rule: FailedActions, change: Change) -> Row:
-    settings = population(study, DEFAULTS[name], rule)
-    if change.reading:
-        settings = replace(settings, features=_OTHER)
-    return Row("learners", _title(name, change), settings, world=_world(change))
+def _replays(learner: AnyLearnerSettings) -> bool:
+    return isinstance(learner, ReplaySettings | TableSettings) and learner.replays > 0
 
 
-def _title(name: str, change: Change) -> str:
-    return f"{name}, {_OTHER.reading}" if change.reading else name
-
-
-def _world(change: Change) -> str:
-    return MADE_UP if change.pictures else STANDARD
-
-
-def _changes(name: str) -> Iterator[Change]:
-    """Those that a learner knows of, each once."""
-    known = dict.fromkeys(change.known_to(name) for change in CHANGES.values())
+def _changes(row: Row) -> Iterator[Change]:
+    """Those that a row knows of, each once."""
+    known = dict.fromkeys(change.of(row) for change in CHANGES.values())
     return (change for change in known if change != NOTHING)

@@ -41,7 +41,7 @@ class Results:
     learners: list[Told] = field(default_factory=list)
     """Every learner under both rules, controls among them."""
     towards_abstract: list[Measured] = field(default_factory=list)
-    """The four learners with a thing of the abstract task (`abstract_rows`)."""
+    """Learners with a thing of the abstract task (`abstract_rows`)."""
     outcomes: IdealOutcomes | None = None
     """Recorded ones beside those of the abstract task."""
     singles: list[Single] = field(default_factory=list)

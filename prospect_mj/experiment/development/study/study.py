@@ -100,14 +100,14 @@ class Study:
             self._results.learners.append(measured.told(row, learned, rng))
             if row.rule == "suppressed" and row.name in learners.SHOWN:
                 self._results.singles.append(Single(row, learned))
-        self._towards_abstract(len(rows))
+        self._results.outcomes = ideal_outcomes.compare(self._recordings.standard)
+        self._towards_abstract("learners", len(rows))
 
-    def _towards_abstract(self, first: int) -> None:
-        """Rows of the part learners from number `first`."""
-        recording = self._recordings.standard
-        self._results.outcomes = ideal_outcomes.compare(recording)
-        made = abstract_rows.worlds(recording, self._settings)
-        for number, row in enumerate(abstract_rows.rows(self._settings), first):
+    def _towards_abstract(self, part: Part, first: int) -> None:
+        """Rows of a part from number `first`, with things of the abstract task."""
+        made = abstract_rows.worlds(self._recordings.standard, self._settings)
+        rows = abstract_rows.rows(self._settings, part)
+        for number, row in enumerate(rows, first):
             made_up = row.world == abstract_rows.MADE_UP
             world = made[row.settings.learner.name] if made_up else None
             shown = self._shown(row, number, world=world)
@@ -118,6 +118,7 @@ class Study:
         self._results.causal = [
             self._shown(row, number).measured for number, row in enumerate(rows)
         ]
+        self._towards_abstract("causal", len(rows))
 
     def _population(self) -> None:
         for number, row in enumerate(population.rows(self._settings)):

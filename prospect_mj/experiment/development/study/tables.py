@@ -4,6 +4,10 @@ from collections.abc import Iterator
 
 import pyarrow as pa
 
+from prospect_mj.experiment.development.study.abstract_besides import (
+    besides,
+    besides_table,
+)
 from prospect_mj.experiment.development.study.measured import (
     Measured,
     MeasuredCurves,
@@ -15,7 +19,7 @@ from prospect_mj.experiment.development.study.measured import (
 from prospect_mj.experiment.development.study.results import Results
 
 MEASURED, SHARES, SEQUENCES = "measured", "shares", "sequences"
-LOOKS, FOUND = "looks", "found"
+LOOKS, FOUND, ABSTRACT = "looks", "found", "abstract"
 
 
 def tables(results: Results) -> dict[str, pa.Table]:
@@ -31,6 +35,8 @@ def tables(results: Results) -> dict[str, pa.Table]:
         made[SHARES] = shares_table((one.row, one.development) for one in curves)
     if told := [*results.learners, *results.population]:
         made[SEQUENCES] = sequences_table(told)
+    if beside := besides(results):
+        made[ABSTRACT] = besides_table(beside)
     if results.looks is not None:
         made[LOOKS] = results.looks
     if results.found is not None:

@@ -20,7 +20,7 @@ from prospect_mj.experiment.populations.kernels.graph import (
     Trials,
 )
 from prospect_mj.experiment.populations.kernels.linear import fill_features
-from prospect_mj.experiment.populations.kernels.ring import Ring, draw, remember
+from prospect_mj.experiment.populations.kernels.ring import Ring, draw, forget, remember
 from prospect_mj.experiment.populations.kernels.sums import Order, add, product
 from prospect_mj.experiment.populations.kernels.walk import (
     Walk,
@@ -104,6 +104,7 @@ def _run_trial(
             state.ring, image, haptic, taken.action, follows, ended, walk.allowed
         )
         sound = _learn(state, place, rule.discount)
+        forget(state.ring, place)
         draw(state.ring, rng)
         for again in state.ring.drawn:
             sound &= _learn(state, again, rule.discount)

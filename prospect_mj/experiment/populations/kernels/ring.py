@@ -28,9 +28,11 @@ class Ring(NamedTuple):
     """(1,): transitions so far."""
     drawn: NDArray[np.int64]
     """(replays,): places of those to learn from again."""
+    forgets: bool
+    """Whether all actions count in what is learned from again."""
 
 
-def new_ring(capacity: int, n_actions: int, replays: int) -> Ring:
+def new_ring(capacity: int, n_actions: int, replays: int, forgets: bool) -> Ring:
     """A ring that remembers nothing yet."""
     shown, haptic, action, follows = np.zeros((4, capacity), np.int64)
     return Ring(
@@ -42,6 +44,7 @@ def new_ring(capacity: int, n_actions: int, replays: int) -> Ring:
         np.zeros((capacity, n_actions), np.bool_),
         np.zeros(1, np.int64),
         np.zeros(replays, np.int64),
+        forgets,
     )
 
 
@@ -66,6 +69,13 @@ def remember(
         ring.allowed[place, number] = allowed[number]
     ring.n_added[0] += 1
     return place
+
+
+@uncounted
+def forget(ring: Ring, place: int) -> None:
+    """Forget what could be chosen after a transition, if such is forgotten."""
+    for number in range(ring.allowed.shape[1]):
+        ring.allowed[place, number] |= ring.forgets
 
 
 # With reference counts, as numba makes an array for the numbers.

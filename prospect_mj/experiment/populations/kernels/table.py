@@ -15,7 +15,7 @@ from prospect_mj.experiment.populations.kernels.graph import (
     Rule,
     Trials,
 )
-from prospect_mj.experiment.populations.kernels.ring import Ring, draw, remember
+from prospect_mj.experiment.populations.kernels.ring import Ring, draw, forget, remember
 from prospect_mj.experiment.populations.kernels.walk import (
     Walk,
     begin,
@@ -88,7 +88,8 @@ def _run_trial(
         if not np.isfinite(error):
             return DIVERGED
         if len(state.ring.drawn):
-            remember(state.ring, side, haptic, action, follows, ended, allowed)
+            place = remember(state.ring, side, haptic, action, follows, ended, allowed)
+            forget(state.ring, place)
             _replay(state, rule, rng)
         if taken.inserted:
             break

@@ -25,7 +25,12 @@ def begin(learner: ReplayQ, trials: Trials) -> ReplayState:
         features=np.zeros((n_images, len(seen.bits), settings.n_features)),
         known=np.zeros(n_images, np.bool_),
         values=np.empty(settings.n_actions),
-        ring=new_ring(settings.buffer, settings.n_actions, settings.replays),
+        ring=new_ring(
+            settings.buffer,
+            settings.n_actions,
+            settings.replays,
+            settings.replays_forget,
+        ),
     )
 
 

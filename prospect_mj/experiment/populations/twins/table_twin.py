@@ -22,7 +22,9 @@ def begin(learner: TableQ, trials: Trials) -> TableState:
         seen=learner.seen,
         copies=settings.copied_habit,
         mended=_mended(learner),
-        ring=new_ring(capacity, settings.n_actions, settings.replays),
+        ring=new_ring(
+            capacity, settings.n_actions, settings.replays, settings.replays_forget
+        ),
     )
 
 

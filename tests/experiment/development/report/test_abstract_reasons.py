@@ -5,61 +5,31 @@ from math import isnan, nan
 import pytest
 from small_study import SETTINGS
 
-from prospect_mj.experiment.development.report.abstract_numbers import (
-    ABSTRACT,
-    COMPARED,
+from prospect_mj.experiment.development.report.abstract import abstract
+from prospect_mj.experiment.development.study import (
+    abstract_rows,
+    causal,
+    learners,
+    population,
 )
-from prospect_mj.experiment.development.report.abstract_reasons import reasons
-from prospect_mj.experiment.development.study import abstract_rows, learners
+from prospect_mj.experiment.development.study.abstract_besides import (
+    besides,
+    besides_table,
+)
+from prospect_mj.experiment.development.study.abstract_compared import COMPARED
+from prospect_mj.experiment.development.study.abstract_told import TOLD
 from prospect_mj.experiment.development.study.ideal_outcomes import IdealOutcomes
 from prospect_mj.experiment.development.study.measured import Measured, MeasuredCurves
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.experiment.development.study.settings import Extent
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
 
-REPLAY, DISCOVERY = ("replay", "suppressed"), ("discovery", "allowed")
-PICTURES, READING, BOTH = abstract_rows.CHANGES.values()
-COMES = "it comes to the abstract number"
-NONE = f"with none of these {COMES}"
-
-
-def sharp(number):
-    return Interval(number, number, number)
-
-
-def measured(row, key, numbers):
-    """A row that has the abstract numbers, but for some."""
-    said = {each.name: sharp(each.said(key)) for each in COMPARED}
-    return Measured(row, 20, said | numbers, ABSTRACT[key].order)
-
-
-def told(recorded, changed, unlike=0):
-    """The section.
-
-    Args:
-        recorded: by learner and rule, numbers that are unlike the abstract ones.
-        changed: the same, by learner, rule and change.
-        unlike: outcomes of 500.
-    """
-    made = Results(SETTINGS, Extent(("learners",)))
-    made.outcomes = IdealOutcomes(500, unlike)
-    for row in learners.rows(SETTINGS):
-        key = row.name, row.rule
-        if key in ABSTRACT:
-            one = measured(row, key, recorded.get(key, {}))
-            made.learners.append(MeasuredCurves(one, None))
-    changed = {
-        abstract_rows.key(*key, change): n for (key, change), n in changed.items()
-    }
-    for row in abstract_rows.rows(SETTINGS):
-        key = row.settings.learner.name, row.rule
-        if key in ABSTRACT:
-            numbers = changed.get(
-                (row.name, row.rule, row.world), recorded.get(key, {})
-            )
-            made.towards_abstract.append(measured(row, key, numbers))
-    compared = {(one.row.name, one.row.rule): one.measured for one in made.learners}
-    return "\n\n".join(reasons(made, compared))
+REPLAY = "learners", "replay", "suppressed"
+DISCOVERY = "learners", "discovery", "allowed"
+INHERITED = "causal", "values inherited", "suppressed"
+PICTURES, READING, BOTH, FORGETS = abstract_rows.CHANGES
+EARLY = "*early gone* of *replay, suppressed*."
+PARTS = {"learners": learners, "causal": causal, "population": population}
 
 
 def early(number, low=None, high=None):
@@ -67,122 +37,161 @@ def early(number, low=None, high=None):
     return {"early_gone": Interval(number, low, high)}
 
 
-def reason(text):
-    (line,) = [line for line in text.splitlines() if line.startswith("- ")]
-    return line
+def measured(row, key, numbers):
+    """A row that has the abstract numbers, but for some; .5 where none is told."""
+    said = {each.name: each.said(TOLD[key]) for each in COMPARED}
+    known = {
+        name: 0.5 if isnan(one) and not name.endswith("gone") else one
+        for name, one in said.items()
+    }
+    sharp = {name: Interval(one, one, one) for name, one in known.items()}
+    return Measured(row, 20, sharp | numbers, numbers.get("order", known["order"]))
+
+
+def results(recorded, changed, unlike=0, parts=tuple(PARTS)):
+    """A study.
+
+    Args:
+        recorded: numbers that are unlike the abstract ones, by key of the row.
+        changed: the same, by key and name of the change; else as recorded.
+        unlike: outcomes of 500.
+        parts: that it has.
+    """
+    made = Results(SETTINGS, Extent(parts))
+    made.outcomes = IdealOutcomes(500, unlike)
+    for part in filter(PARTS.get, parts):
+        for row in PARTS[part].rows(SETTINGS):
+            key = row.part, row.name, row.rule
+            if key not in TOLD:
+                continue
+            usual = recorded.get(key, {})
+            one = measured(row, key, usual)
+            among = getattr(made, part)
+            among.append(one if part == "causal" else MeasuredCurves(one, None))
+            # Changes that come to the same for a row are one, by the first's name.
+            names = {
+                change.of(row): name
+                for name, change in reversed(abstract_rows.CHANGES.items())
+            }
+            for change, name in names.items():
+                if change != abstract_rows.NOTHING:
+                    numbers = changed.get((key, name), usual)
+                    other = abstract_rows.changed(row, change, SETTINGS)
+                    made.towards_abstract.append(measured(other, key, numbers))
+    return made
+
+
+def told(*given, **more):
+    return "\n\n".join(abstract(results(*given, **more)))
 
 
 def replay(pictures, reading, both, recorded=None):
-    recorded = early(120) if recorded is None else recorded
+    recorded = early(150) if recorded is None else recorded
     found = zip((PICTURES, READING, BOTH), (pictures, reading, both), strict=True)
-    return told({REPLAY: recorded}, {(REPLAY, change): n for change, n in found})
+    return told({REPLAY: recorded}, {(REPLAY, name): one for name, one in found})
 
 
 def test_where_nothing_differs_nothing_is_explained():
-    assert told({}, {}) == "No number differs."
+    text = told({}, {})
+    assert text.endswith("No number differs.")
+    assert "| 0 | 0 |  |  |  |" in text
+
+
+def test_nothing_is_told_without_rows_that_both_tasks_have():
+    assert told({}, {}, parts=("worlds",)) == ""
+
+
+def test_numbers_that_differ_and_those_outside_are_counted_apart():
+    recorded = {REPLAY: early(110), DISCOVERY: early(300)}
+    text = told(recorded, {})
+    assert "| replay, suppressed | 10 | 1 | 0 | 50 / 50 | *100 / 110* |" in text
+    assert "| discovery, allowed | 10 | 1 | 1 | 60 / 60 | **160 / 300** |" in text
+    counted = besides_table(besides(results(recorded, {}))).to_pylist()
+    assert sum(one["outside"] for one in counted) == 2
+    assert sum(one["differs"] for one in counted) == 1
+    assert text.count(f"| all | {len(counted)} | 2 | 1 |") == 1
+
+
+def test_what_is_not_told_is_not_counted():
+    key = "learners", "table, copied habit, known correction", "suppressed"
+    (one,) = [
+        one
+        for one in besides(results({}, {}))
+        if (one.row.part, one.row.name, one.row.rule) == key
+    ]
+    assert "dominance" not in [each.name for each in one.compared()]
+    assert "- |" in told({}, {}).split("causal: guard .05")[1].splitlines()[0]
 
 
 def test_the_change_that_brings_a_number_is_the_reason():
-    text = replay(early(140), early(110, 100, 110), early(100))
-    assert reason(text) == (
-        f"- *early gone* of *replay, suppressed*: with the other reading {COMES}."
-    )
-    cells = "100 | 120 (120 to 120) | 140 (140 to 140) | **110 (100 to 110)** | **100"
-    assert f"| early gone | replay | suppressed | {cells}" in text
-
-
-def test_a_learner_that_reads_no_features_has_its_pictures():
-    text = told({DISCOVERY: early(140)}, {(DISCOVERY, PICTURES): early(160)})
-    assert reason(text) == (
-        f"- *early gone* of *discovery, allowed*: with made-up pictures {COMES}."
-    )
-    assert "160 | 140 (140 to 140) | **160 (160 to 160)** | - | **160" in text
+    text = replay(early(170), early(110, 100, 110), early(100))
+    assert f"- It comes with the other reading: {EARLY}" in text
+    cells = "100 | 150 | 170 | **110 (100 to 110)** | **100** | 150 |"
+    assert f"| early gone | replay, suppressed | {cells}" in text
+    assert "Of 1 numbers that differ, 1 come" in text
 
 
 @pytest.mark.parametrize(
     ("found", "words"),
     [
-        (
-            (130, 120, 140),
-            NONE,
-        ),
-        ((130, 120, 100), f"with both {COMES}."),
-        ((100, 100, 100), f"with made-up pictures or with the other reading {COMES}."),
-        ((100, 120, 120), f"with made-up pictures {COMES}, though not with both"),
-        ((40, 60, 70), NONE),
+        ((170, 150, 100), f"It comes with both: {EARLY}"),
+        ((100, 100, 100), "It comes with made-up pictures or with the other reading:"),
+        ((100, 150, 150), "It comes with made-up pictures, though not with both:"),
+        ((150, 130, 150), f"Not settled, nearer with the other reading: {EARLY}"),
+        ((150, 160, 170), "Not settled, not with made-up pictures nor with the"),
     ],
 )
 def test_changes_alone_are_told_from_both_together(found, words):
-    assert words in reason(replay(*map(early, found)))
+    assert words in replay(*map(early, found))
 
 
-def test_a_wider_interval_alone_is_no_reason():
-    wide = early(120, 90, 140)
-    assert NONE in reason(replay(wide, wide, wide))
-    inside = early(125, 100, 140)
-    recorded = early(130, 120, 140)
-    assert NONE in reason(replay(inside, inside, inside, recorded))
+def test_replays_that_forget_are_a_reason():
+    text = told({REPLAY: early(150)}, {(REPLAY, FORGETS): early(100)})
+    assert f"- It comes with replays that forget: {EARLY}" in text
 
 
-def test_what_is_not_there_is_brought_by_being_there():
+def test_a_row_that_knows_of_no_change_is_not_settled():
+    key = "learners", "table", "suppressed"
+    text = told({key: early(300)}, {})
+    assert "- Not settled, as the row knows of no change: *early gone* of *tab" in text
+    assert "| early gone | table, suppressed | 100 | 300 | - | - | - | - |" in text
+
+
+def test_rows_with_the_same_reason_are_told_together():
     lacking = {"early_gone": Interval(nan, nan, nan, 1.0)}
-    text = replay(early(100), lacking, lacking, recorded=lacking)
-    assert f"with made-up pictures {COMES}" in reason(text)
-    assert "| 100 | none | **100 (100 to 100)** | none | none |" in text
-
-
-def test_a_table_sees_neither_and_of_controls_nothing_was_asked():
-    for name, words in (
-        ("table", "neither of pictures nor of features"),
-        ("table, copied habit", "not asked"),
-    ):
-        text = told({(name, "suppressed"): {"late_gone": sharp(300)}}, {})
-        assert words in reason(text)
-        assert text.count("| 300 (300 to 300) | - | - | - |") == 1
-
-
-def test_it_is_told_what_a_change_does_to_the_other_numbers():
-    others = early(100) | {"dominance": sharp(300), "easy_worst": sharp(0.3)}
-    text = replay(others, early(100), early(100))
-    assert "| replay | suppressed | 1 | 2 | 0 | 0 |" in text
-    assert "| replay | allowed | 0 | 0 | 0 | 0 |" in text
-    counted = text.partition("of 6 for each learner")[2]
-    assert "| table |" not in counted
+    recorded = {DISCOVERY: early(300), INHERITED: early(300)}
+    changed = {(DISCOVERY, PICTURES): early(160), (INHERITED, PICTURES): lacking}
+    text = told(recorded, changed)
+    assert (
+        "- It comes with made-up pictures: *early gone* of *discovery, allowed*; "
+        "*early gone* of *causal: values inherited*." in text
+    )
+    assert "| early gone | causal: values inherited | none | 300 | **none** |" in text
+    assert "| 28 causal rows together | 1 | 0 | - | - | - |" in text
 
 
 def test_a_change_that_takes_others_away_is_spoken_against():
-    key = "linear", "suppressed"
-    wrong = {"easy_worst": sharp(0.4)}
+    key, wrong = (
+        ("learners", "linear", "suppressed"),
+        {"easy_worst": Interval(*[0.4] * 3)},
+    )
     found = {(REPLAY, READING): early(100), (key, READING): wrong}
     words = (
-        f"with the other reading {COMES}, though not with both; against the other "
-        "reading speaks that numbers of *linear, suppressed* then differ"
+        "with the other reading, though not with both (against the other reading "
+        "speaks that numbers of *linear, suppressed* then differ"
     )
-    assert words in reason(told({REPLAY: early(120)}, found))
+    assert words in told({REPLAY: early(150)}, found)
     # One that differs as recorded already is not taken away by the change.
-    text = told({REPLAY: early(120), key: wrong}, found)
-    (line,) = [one for one in text.splitlines() if one.startswith("- *early gone*")]
-    assert "speaks" not in line
+    assert "speaks" not in told({REPLAY: early(150), key: wrong}, found)
+    # Nor one that has other made-up pictures.
+    changed = {(DISCOVERY, PICTURES): early(160), (key, PICTURES): wrong}
+    assert "speaks" not in told({DISCOVERY: early(300)}, changed)
 
 
 @pytest.mark.parametrize(
-    ("unlike", "words", "left"),
-    [
-        (0, "none differ", "what is left is what of the abstract"),
-        (7, "500 in the recording 7 differ", "what is left is the outcomes, and what"),
-    ],
+    ("unlike", "words"), [(0, "none differ"), (7, "500 in the recording 7 differ")]
 )
-def test_outcomes_are_a_reason_only_where_some_differ(unlike, words, left):
-    text = told({REPLAY: early(120)}, {}, unlike)
+def test_outcomes_are_a_reason_only_where_some_differ(unlike, words):
+    text = told({REPLAY: early(150)}, {}, unlike)
     assert words in text
     assert ("no reason" in text) == (unlike == 0)
-    assert left in reason(text)
-
-
-def test_what_the_abstract_task_does_not_tell_never_differs():
-    key = "table, copied habit, known correction", "suppressed"
-    row = next(row for row in learners.rows(SETTINGS) if (row.name, row.rule) == key)
-    (dominance,) = [each for each in COMPARED if each.name == "dominance"]
-    assert isnan(dominance.said(key))
-    assert not dominance.differs(key, measured(row, key, {"dominance": sharp(9)}))
-    assert dominance.said_words(key) == "-"

@@ -9,28 +9,27 @@ import small_study
 from ideal_recording import clumsy, ideal
 from ideal_recording import recording as made_by_hand
 
+from prospect_mj.agent.features import FeatureSettings
 from prospect_mj.agent.haptics import LEFT
-from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.errors import InvalidValue
 from prospect_mj.experiment.development.study import (
     abstract_rows,
+    causal,
     ideal_outcomes,
     learners,
     looks,
+    population,
 )
-from prospect_mj.experiment.development.study.abstract_rows import (
-    CHANGES,
-    MADE_UP,
-    NOTHING,
-)
+from prospect_mj.experiment.development.study.abstract_rows import MADE_UP
+from prospect_mj.experiment.development.study.abstract_told import TOLD
 from prospect_mj.experiment.development.study.made_up import MadeUp
 from prospect_mj.experiment.development.study.settings import DOMINANT, StudySettings
 from prospect_mj.experiment.populations.programme import Programme
 from prospect_mj.recording.hands import NUMBERS
-from prospect_mj.recording.worlds import STANDARD
 
 STUDY = StudySettings(runs=50, setting_runs=20, seed=9)
-ROWS = abstract_rows.rows(STUDY)
+RECORDED = {"learners": learners.rows(STUDY), "causal": causal.rows(STUDY)}
+ROWS = {part: abstract_rows.rows(STUDY, part) for part in RECORDED}
 FAITHFUL = [MadeUp(*given) for given in product((0.08, 0.8, 0.95, 1), (0, 0.3))]
 
 
@@ -49,42 +48,53 @@ def scaled(recording):
     return {side: made[shown.lid == lid] for side, lid in NUMBERS.items()}
 
 
-def test_rows_are_those_of_the_learners_but_for_the_change():
-    usual = {(row.name, row.rule): row for row in learners.rows(STUDY)}
-    for row in ROWS:
-        same = usual[row.settings.learner.name, row.rule]
-        reading = row.settings.features.reading
-        kept = replace(
-            row.settings, features=same.settings.features, runs=same.settings.runs
-        )
-        assert kept == same.settings
-        assert row.scenario == same.scenario
-        assert row.settings.runs == 20
-        assert row.name == (
-            same.name if reading == "product" else f"{same.name}, {reading}"
-        )
-        assert row.world == MADE_UP or reading != "product"
+@pytest.mark.parametrize("part", ROWS)
+def test_changed_rows_are_as_recorded_but_for_the_change(part):
+    usual = {(row.name, row.rule): row for row in RECORDED[part]}
+    for row in ROWS[part]:
+        thing = row.name.endswith(", one_hot"), row.name.endswith(", forgetting")
+        name = row.name.removesuffix(", one_hot").removesuffix(", forgetting")
+        same = usual[name, row.rule]
+        settings = replace(same.settings, runs=20)
+        if thing[0]:
+            settings = replace(settings, features=FeatureSettings(reading="one_hot"))
+        if thing[1]:
+            learner = replace(settings.learner, replays_forget=True)
+            settings = replace(settings, learner=learner)
+        world = MADE_UP if row.world == MADE_UP else same.world
+        assert row == replace(same, name=row.name, settings=settings, world=world)
+        assert any(thing) or row.world == MADE_UP
 
 
-def test_rows_of_the_part_have_names_of_their_own():
-    titles = [row.title for row in (*learners.rows(STUDY), *ROWS)]
+@pytest.mark.parametrize("part", ROWS)
+def test_rows_have_names_of_their_own(part):
+    titles = [row.title for row in (*RECORDED[part], *ROWS[part])]
     assert len(set(titles)) == len(titles)
 
 
 def test_every_learner_has_the_changes_that_it_knows_of():
+    found = [(row.settings.learner.name, row.rule) for row in ROWS["learners"]]
     known = {"linear": 3, "replay": 3, "discovery": 1, "table": 0}
-    found = [row.settings.learner.name for row in ROWS]
-    assert {name: found.count(name) for name in known} == {
-        name: 2 * number for name, number in known.items()
+    # What is replayed can forget the rule only where there is one.
+    forgetful = {"linear": 0, "replay": 1, "discovery": 0, "table": 2}
+    for name, number in known.items():
+        assert found.count((name, "allowed")) == number
+        assert found.count((name, "suppressed")) == number + forgetful[name]
+
+
+def test_causal_rows_with_abstract_numbers_see_made_up_pictures():
+    told = {name for part, name, _ in TOLD if part == "causal"}
+    assert {row.name for row in ROWS["causal"]} == told
+    assert {row.world for row in ROWS["causal"]} == {MADE_UP}
+    assert abstract_rows.rows(STUDY, "population") == []
+
+
+def test_all_that_the_abstract_task_tells_is_of_rows_of_the_study():
+    recorded = {
+        (row.part, row.name, row.rule)
+        for row in (*learners.rows(STUDY), *causal.rows(STUDY), *population.rows(STUDY))
     }
-    keys = {(row.name, row.rule, row.world) for row in ROWS}
-    for name, rule in product(DEFAULTS, ("allowed", "suppressed")):
-        for change in CHANGES.values():
-            effect = change.known_to(name)
-            key = abstract_rows.key(name, rule, effect)
-            assert (key in keys) == (effect != NOTHING)
-    recorded = abstract_rows.key("linear", "allowed", NOTHING)
-    assert recorded == ("linear", "allowed", STANDARD)
+    assert set(TOLD) <= recorded
 
 
 @pytest.mark.parametrize("made_up", FAITHFUL, ids=str)
@@ -130,7 +140,7 @@ def test_only_pictures_are_made_up():
 def test_a_trial_has_its_outcomes_and_a_picture_of_its_own():
     recording = small_study.recordings().standard
     made = abstract_rows.worlds(recording, STUDY)["linear"]
-    row = replace(ROWS[0].settings, runs=1)
+    row = replace(ROWS["learners"][0].settings, runs=1)
     runs = [Programme(one, DOMINANT, row).run(0) for one in (recording, made)]
     usual, other = (run.trials for run in runs)
     assert (usual.root == other.root).all()
