@@ -1,5 +1,6 @@
 """Runs of deep learners: kept, gone on with, and missed in one line."""
 
+import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -153,6 +154,17 @@ def test_a_deep_learner_is_the_same_after_another_in_its_process(agent, tmp_path
     assert len(after.n_actions) == 60
     assert after.n_actions.min() >= 2
     np.testing.assert_array_equal(after.n_actions, agents.train(one))
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("deep")
+@pytest.mark.parametrize("agent", [DQN_CONSTANT, MASKABLE_PPO])
+def test_learning_leaves_nothing_among_the_temporary_files(
+    agent, tmp_path, monkeypatch
+):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    agents.train(DeepRun(agent, 10, 3))
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.slow

@@ -134,7 +134,7 @@ def _dqn(run: DeepRun) -> list[int]:
         device="cpu",
         policy_kwargs=_NETWORK,
     )
-    agent.learn(run.steps, callback=_until(run.trials))
+    _learn(agent, run.steps, run.trials)
     return env.get_episode_lengths()
 
 
@@ -154,7 +154,7 @@ def _ppo(run: DeepRun) -> list[int]:
         device="cpu",
         policy_kwargs=_NETWORK,
     )
-    agent.learn(run.steps, callback=_until(ceil(run.trials / _ENVS)))
+    _learn(agent, run.steps, ceil(run.trials / _ENVS))
     # All step at once, so that a trial ends after all the actions of its environment.
     ended = [
         trial
@@ -164,8 +164,11 @@ def _ppo(run: DeepRun) -> list[int]:
     return [length for _, length in sorted(ended)]
 
 
-def _until(trials: int) -> Any:  # noqa: ANN401
-    """Stop after so many trials of each environment."""
+def _learn(agent: Any, steps: int, trials: int) -> None:  # noqa: ANN401
+    """Learn till so many trials of each environment have ended, or of so many steps."""
     from stable_baselines3.common.callbacks import StopTrainingOnMaxEpisodes
+    from stable_baselines3.common.logger import Logger
 
-    return StopTrainingOnMaxEpisodes(trials)
+    # The usual logger makes a folder among the temporary files, and leaves it there.
+    agent.set_logger(Logger(folder=None, output_formats=[]))
+    agent.learn(steps, callback=StopTrainingOnMaxEpisodes(trials))
