@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from functools import partial
 from textwrap import wrap
 
-from prospect_mj.agent.failed_actions import RULES
+from prospect_mj.agent.failed_actions import RULES, FailedActions
 from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.figures import (
     crossed,
@@ -55,7 +55,8 @@ def pictures(results: Results, recording: Recording) -> Iterator[tuple[str, byte
     if results.worlds:
         yield "worlds", _worlds(results)
     if results.change:
-        yield "change", _change(results)
+        for rule in RULES:
+            yield f"change_{rule}", _change(results, rule)
     if results.found is not None:
         yield "found", found.found(results.found, jar_pictures(recording))
     if results.haptics is not None:
@@ -139,8 +140,12 @@ def _worlds(results: Results) -> bytes:
     return intervals.intervals("Worlds that look unlike each other", of, rows)
 
 
-def _change(results: Results) -> bytes:
-    rows = {(one.row.then, one.row.name): one.development for one in results.change}
+def _change(results: Results, rule: FailedActions) -> bytes:
+    rows = {
+        (one.row.then, one.row.name): one.development
+        for one in results.change
+        if one.row.rule == rule
+    }
     draw = partial(Panel, beside=False)
     panels = [
         [
@@ -150,7 +155,7 @@ def _change(results: Results) -> bytes:
         ]
         for name in DEFAULTS
     ]
-    title = "After the world has changed"
+    title = f"After the world has changed; failed actions {rule}"
     return shares.shares(title, _BANDS, panels, "trial after the change")
 
 

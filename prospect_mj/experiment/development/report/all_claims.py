@@ -75,7 +75,11 @@ def _change(results: Results) -> list[Claim]:
 def _changed(results: Results, change: str) -> list[Claim]:
     """Of one change; none if that part was not made."""
     both = zip(results.change, results.formerly_easy, strict=True)
-    pairs = [(shown.measured, easy) for shown, easy in both if shown.row.then == change]
+    pairs = [
+        (shown.measured, easy)
+        for shown, easy in both
+        if (shown.row.then, shown.row.rule) == (change, "suppressed")
+    ]
     if not pairs:
         return []
     trials = {

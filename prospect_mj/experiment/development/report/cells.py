@@ -20,15 +20,26 @@ def measured_table(
     rows: Iterable[tuple[Sequence[str], Measured]],
     measures: Sequence[Measure] = MEASURES,
 ) -> str:
-    """A table with a row for each population.
+    """Two tables with a row for each population, as one would be too wide to be read.
+
+    The first has what is counted in trials, and the order; the second has shares.
 
     Args:
         first: heads of the columns that name it.
         rows: what these columns have, and the numbers.
         measures: the other columns, besides the order.
     """
-    head = (*first, "runs", *(one.title for one in measures), ORDER_TITLE)
-    return table(head, [(*names, *_cells(one, measures)) for names, one in rows])
+    known = list(rows)
+    trials = [one for one in measures if one.kind is Kind.TRIAL]
+    shares = [one for one in measures if one.kind is not Kind.TRIAL]
+    head = (*first, "runs", *titles(trials), ORDER_TITLE)
+    lines = [
+        (*names, str(one.runs), *cells(one, trials), order(one.order))
+        for names, one in known
+    ]
+    others = [(*names, *cells(one, shares)) for names, one in known]
+    both = table(head, lines), table((*first, *titles(shares)), others)
+    return "\n\n".join(both)
 
 
 def order(share: float) -> str:
@@ -36,6 +47,11 @@ def order(share: float) -> str:
     return number(share, Kind.SHARE)
 
 
-def _cells(one: Measured, measures: Sequence[Measure]) -> list[str]:
-    numbers = [with_interval(one.measured[each.name], each.kind) for each in measures]
-    return [str(one.runs), *numbers, order(one.order)]
+def titles(measures: Iterable[Measure]) -> list[str]:
+    """Heads of columns."""
+    return [one.title for one in measures]
+
+
+def cells(one: Measured, measures: Iterable[Measure]) -> list[str]:
+    """What the columns have of a row."""
+    return [with_interval(one.measured[each.name], each.kind) for each in measures]

@@ -2,8 +2,13 @@
 
 from collections.abc import Iterator
 
+from prospect_mj.agent.failed_actions import RULES, FailedActions
 from prospect_mj.agent.features import N_BINS
-from prospect_mj.experiment.development.report.cells import measured_table
+from prospect_mj.experiment.development.report.cells import (
+    cells,
+    measured_table,
+    titles,
+)
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.report.learners import stages
 from prospect_mj.experiment.development.study.after import (
@@ -39,7 +44,7 @@ After the 1000 trials the standard world becomes another one, the same learner g
 for {trials} trials: *post*, where the lid must go down, so that the other end is the
 right one to be held; *lamp-right*, where the same is right as before, and looks
 different. Easy and difficult trials are those of before; a correction is one by what is
-right now. All counts begin at the change; failed actions are suppressed.
+right now. All counts begin at the change.
 """
 
 _FOUND = """\
@@ -91,17 +96,28 @@ def change(results: Results) -> Iterator[str]:
     """A world that changes, a piece at a time."""
     yield "## A world that changes"
     yield _CHANGE.format(trials=TRIALS_AFTER).rstrip()
-    yield "![Strategies after the change](figures/change.png)"
-    head = "change to", "learner"
-    names = [(one.row.then, one.row.name) for one in results.change]
-    difficult = (one.measured for one in results.change)
-    rows = zip(names, difficult, strict=True)
-    yield measured_table(head, rows, (*_OWN, *OF_A_KIND))
     yield definitions(_OWN)
-    yield "The other columns are of formerly difficult trials. Of formerly easy ones:"
-    rows = zip(names, results.formerly_easy, strict=True)
-    yield measured_table(head, rows, OF_A_KIND)
+    for rule in RULES:
+        yield f"### After a change, failed actions {rule}"
+        yield f"![Strategies after the change, {rule}](figures/change_{rule}.png)"
+        yield from _changed(results, rule)
     yield command(results, "change")
+
+
+def _changed(results: Results, rule: FailedActions) -> Iterator[str]:
+    """The tables of a rule."""
+    both = zip(results.change, results.formerly_easy, strict=True)
+    pairs = [(one, easy) for one, easy in both if one.row.rule == rule]
+    head = "change to", "learner"
+    names = [(one.row.then, one.row.name) for one, _ in pairs]
+    difficult = [one.measured for one, _ in pairs]
+    lines = zip(names, difficult, strict=True)
+    yield table((*head, *titles(_OWN)), [(*of, *cells(one, _OWN)) for of, one in lines])
+    yield "Of formerly difficult trials:"
+    yield measured_table(head, zip(names, difficult, strict=True), OF_A_KIND)
+    yield "Of formerly easy ones:"
+    easy = [one for _, one in pairs]
+    yield measured_table(head, zip(names, easy, strict=True), OF_A_KIND)
 
 
 def found(results: Results) -> Iterator[str]:

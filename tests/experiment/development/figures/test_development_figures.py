@@ -80,9 +80,10 @@ def test_every_part_has_its_figures(drawn):
 
 def test_a_part_alone_is_drawn_alone():
     made = results(Extent(("change",), changes=("post",)))
-    ((name, png),) = pictures.pictures(made, None)
-    assert name == "change"
-    assert len(where(decoded(png), COLOURS[L])) > 100
+    drawn = dict(pictures.pictures(made, None))
+    assert list(drawn) == ["change_allowed", "change_suppressed"]
+    for png in drawn.values():
+        assert len(where(decoded(png), COLOURS[L])) > 100
 
 
 def test_figures_are_of_a_size_that_a_page_has(drawn):

@@ -32,7 +32,7 @@ from prospect_mj.experiment.development.study.settings import (
 )
 from prospect_mj.experiment.development.study.tables import tables
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
-from prospect_mj.experiment.paper.measures.quantity import with_interval
+from prospect_mj.experiment.paper.measures.quantity import Kind, with_interval
 from prospect_mj.recording.config import RecordingConfig
 from prospect_mj.recording.key import RecordingKey
 
@@ -76,7 +76,7 @@ def test_parts_that_were_left_out_are_not_told():
 def test_what_is_linked_is_there(whole, monkeypatch):
     made = results()
     monkeypatch.setattr(pictures, "_strategies", lambda results: b"")
-    monkeypatch.setattr(pictures, "_change", lambda results: b"")
+    monkeypatch.setattr(pictures, "_change", lambda results, rule: b"")
     monkeypatch.setattr(pictures, "_touches", lambda results, world: b"")
     monkeypatch.setattr(pictures, "jar_pictures", lambda recording: [])
     names = {f"figures/{name}.png" for name, _ in pictures.pictures(made, None)}
@@ -102,11 +102,23 @@ def test_numbers_of_a_row_are_those_measured(whole):
         if (one.row.name, one.row.rule) == ("replay", "suppressed")
     ]
     suppressed = whole.partition("### Failed actions suppressed")[2]
-    cells = lines_of(suppressed, "| replay | ")[0].strip("| ").split(" | ")
+    trials, shares = (
+        line.strip("| ").split(" | ")
+        for line in lines_of(suppressed, "| replay | ")[:2]
+    )
     measured = told.findings.measured
-    expected = [with_interval(measured[one.name], one.kind) for one in MEASURES]
-    assert cells == ["replay", str(told.runs), *expected, "100.0 %"]
-    assert cells[2] == "60 (60 to 60)"
+    expected = {
+        kind: [
+            with_interval(measured[one.name], kind)
+            for one in MEASURES
+            if one.kind is kind
+        ]
+        for kind in (Kind.TRIAL, Kind.SHARE)
+    }
+    assert trials == ["replay", str(told.runs), *expected[Kind.TRIAL], "100.0 %"]
+    assert shares == ["replay", *expected[Kind.SHARE]]
+    assert trials[2] == "60 (60 to 60)"
+    assert len(trials) + len(shares) == len(MEASURES) + 4
 
 
 def test_learners_and_controls_are_in_the_same_tables(whole):

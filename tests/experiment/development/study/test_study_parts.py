@@ -35,7 +35,7 @@ from prospect_mj.recording.worlds import STANDARD
 
 EXTENT = Extent(("learners", "worlds", "change"), ("standard", "noisy"), ("post",))
 N_TOWARDS = 2 * (3 + 3 + 1) + 1
-N_ROWS = 8 + N_TOWARDS + 2 * 3 + 4
+N_ROWS = 8 + N_TOWARDS + 2 * 3 + 8
 SETTINGS = small_study.SETTINGS
 
 
@@ -80,7 +80,7 @@ def test_all_rows_are_there(done):
     assert {one.row.rule for one in results.singles} == {"suppressed"}
     assert len(results.towards_abstract) == N_TOWARDS
     assert len(results.worlds) == 6
-    assert len(results.change) == 4
+    assert len(results.change) == 8
     assert results.causal == []
     assert list(results.seconds) == list(EXTENT.parts)
     assert len(lines) == N_ROWS + len(EXTENT.parts)

@@ -148,9 +148,11 @@ def test_in_other_worlds_only_learners_learn_that_see_the_picture():
 def test_the_world_changes_after_all_trials():
     changing = PARTS["change"]
     assert {row.then for row in changing} == set(CHANGES)
-    assert {row.name for row in changing} == set(DEFAULTS)
+    for rule in ("allowed", "suppressed"):
+        assert {row.name for row in changing if row.rule == rule} == set(DEFAULTS)
+    assert len(changing) == 2 * len(CHANGES) * len(DEFAULTS)
     for row in changing:
-        assert (row.scenario.trials, row.scenario.then_trials) == (1000, 600)
+        assert (row.scenario.trials, row.scenario.then_trials) == (1000, 1000)
         assert row.world == "standard"
 
 
