@@ -107,6 +107,9 @@ def _not_necessary(rows: Mapping[Subject, Findings]) -> Claim:
     )
 
 
+_NAMED = 3
+"""Others that are named, at the most."""
+
 _OF_SINGLE_RUNS = (
     (
         LATE_FIRST,
@@ -134,9 +137,17 @@ def _shared(
     judged = {row: criterion.judge(findings) for row, findings in rows.items()}
     its = judged.pop(CONJECTURED)
     also = [row.words for row, one in judged.items() if one.verdict is Verdict.HOLDS]
-    others = f"; it also holds for: {'; '.join(also) or 'none'}" if judged else ""
-    said = its.words + others
+    said = its.words + _others(also, len(judged))
     return Claim(words, its.verdict, said, CONJECTURED.words, criterion.name)
+
+
+def _others(also: Sequence[str], asked_of: int) -> str:
+    """Of which others it holds, or of how many; a table of the report has them all."""
+    if not asked_of:
+        return ""
+    named = len(also) <= _NAMED
+    words = "; ".join(also) or "none" if named else f"{len(also)} of {asked_of}"
+    return f"; of others it holds for {words}"
 
 
 def between_learners(
@@ -160,7 +171,7 @@ def between_learners(
         common = with_interval(same.changes.common, Kind.RATIO)
         evidence += f", {common} of equal learners"
     if found:
-        evidence += f"; it also holds for: {', '.join(also) or 'none'}"
+        evidence += _others(also, len(found))
     return Claim(
         "Where learners differ, late and early corrections are mixed in their mean, "
         "more than where they are equal, and not within a learner.",

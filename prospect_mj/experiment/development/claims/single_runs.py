@@ -72,6 +72,8 @@ ABRUPTLY = Criterion(
     "own change from late to early ones, as if that took ten difficult trials",
     _abrupt,
 )
+OF_SINGLE_RUNS = (LATE_FIRST, ABRUPTLY, LATE_ALONE)
+"""What is asked beside the criteria."""
 
 
 def mixed_in_mean(findings: Findings) -> Verdict:

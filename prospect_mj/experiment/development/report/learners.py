@@ -1,15 +1,17 @@
 """Every learner under both rules: measures, criteria, stages, single runs."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from math import isnan
 
 from prospect_mj.agent.failed_actions import RULES
-from prospect_mj.experiment.development.claims.claims import (
-    asked,
-    developing,
+from prospect_mj.experiment.development.claims.claim import Subject
+from prospect_mj.experiment.development.claims.claims import asked, developing
+from prospect_mj.experiment.development.claims.criteria import (
+    LIKE_INFANTS,
+    Criterion,
 )
-from prospect_mj.experiment.development.claims.criteria import LIKE_INFANTS
 from prospect_mj.experiment.development.claims.findings import Findings
+from prospect_mj.experiment.development.claims.single_runs import OF_SINGLE_RUNS
 from prospect_mj.experiment.development.measures.ages import AGES, AgeFound
 from prospect_mj.experiment.development.measures.measures import MEASURES
 from prospect_mj.experiment.development.report.all_claims import by_row
@@ -21,6 +23,7 @@ from prospect_mj.experiment.development.report.cells import (
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.study.measured import Told, words
 from prospect_mj.experiment.development.study.results import Results
+from prospect_mj.experiment.paper.measures.target import Verdict
 from prospect_mj.experiment.paper.report.markdown import definitions, table
 
 _MOST_SEQUENCES = 3
@@ -57,7 +60,8 @@ def learners(results: Results) -> Iterator[str]:
         yield measured_table(("learner",), named)
     yield f"{definitions(MEASURES)}\n{ORDER_DEFINED}"
     yield "### Who develops as infants do"
-    yield _criteria(results)
+    rows_of = by_row(rows)
+    yield _criteria(rows_of, LIKE_INFANTS, developing(rows_of))
     yield "### Stages beside those of infants"
     rules = "; ".join(f"{age.months} months, {age.rule}" for age in AGES)
     yield _STAGES.format(rules=rules).rstrip()
@@ -69,6 +73,7 @@ def learners(results: Results) -> Iterator[str]:
     )
     yield "![Single runs](figures/sequences.png)"
     yield _sequences(rows)
+    yield _criteria(rows_of, OF_SINGLE_RUNS)
     yield command(results, "learners")
 
 
@@ -95,20 +100,24 @@ def _stage(found: AgeFound) -> str:
     return f"{found.first:.0f} to {found.last:.0f} ({share})"
 
 
-def _criteria(results: Results) -> str:
-    rows = by_row(results.learners)
-    judged, verdicts = asked(rows, LIKE_INFANTS), developing(rows)
-    head = ("learner", "rule", *(one.name for one in LIKE_INFANTS), "all")
+def _criteria(
+    rows: Mapping[Subject, Findings],
+    criteria: Sequence[Criterion],
+    together: Mapping[Subject, Verdict] | None = None,
+) -> str:
+    """Who meets what, and what is asked for."""
+    head = ("learner", "rule", *(one.name for one in criteria))
     lines = [
-        (
-            row.learner,
-            row.rule,
-            *(one.verdict for one in judged[row].values()),
-            f"**{verdicts[row]}**",
-        )
-        for row in rows
+        (row.learner, row.rule, *(one.verdict for one in judged.values()))
+        for row, judged in asked(rows, criteria).items()
     ]
-    asked_for = "\n".join(f"- *{one.name}*: {one.words}" for one in LIKE_INFANTS)
+    if together is not None:
+        head = (*head, "all")
+        lines = [
+            (*line, f"**{together[row]}**")
+            for row, line in zip(rows, lines, strict=True)
+        ]
+    asked_for = "\n".join(f"- *{one.name}*: {one.words}" for one in criteria)
     return f"{table(head, lines)}\n\n{asked_for}"
 
 

@@ -116,7 +116,7 @@ def test_learners_that_differ_are_mixed_in_their_mean_alone():
         assert between_learners({"discovery": found}, {}).verdict is expected
     claim = between_learners({"discovery": mixed, "replay": differing}, {})
     assert claim.verdict is Verdict.FAILS
-    assert claim.evidence.endswith("it also holds for: replay")
+    assert claim.evidence.endswith("of others it holds for replay")
 
 
 def test_learners_that_differ_are_more_mixed_than_equal_ones():
@@ -149,12 +149,22 @@ def test_nothing_is_said_of_others_where_there_are_none():
     assert claims({}) == []
 
 
+def test_many_others_are_counted_and_few_are_named():
+    others = [Subject(name, "allowed") for name in ("a", "b", "c", "d")]
+    rows = dict.fromkeys([CONJECTURED, *others], findings(INFANT))
+    (claim,) = (one for one in claims(rows) if "abruptly" in one.words)
+    assert claim.evidence.endswith("; of others it holds for 4 of 4")
+    rows[others[3]] = findings(MIXED)
+    (claim,) = (one for one in claims(rows) if "abruptly" in one.words)
+    assert claim.evidence.endswith("holds for a, allowed; b, allowed; c, allowed")
+
+
 def test_single_runs_of_all_learners_are_asked_the_same():
     like, unlike = Subject("replay", "suppressed"), Subject("linear", "suppressed")
     rows = {CONJECTURED: findings(INFANT), like: findings(INFANT)}
     rows[unlike] = findings(MIXED)
     (claim,) = (one for one in claims(rows) if "abruptly" in one.words)
-    assert claim.evidence.endswith("it also holds for: replay, suppressed")
+    assert claim.evidence.endswith("of others it holds for replay, suppressed")
     judged = {row: ABRUPTLY.judge(found) for row, found in rows.items()}
     assert judged[like] == judged[CONJECTURED]
     assert judged[unlike].verdict is Verdict.FAILS

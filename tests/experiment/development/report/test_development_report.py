@@ -18,6 +18,7 @@ from prospect_mj.experiment.development.claims.claim import (
     Subject,
 )
 from prospect_mj.experiment.development.claims.claims import PREDICTION
+from prospect_mj.experiment.development.claims.single_runs import OF_SINGLE_RUNS
 from prospect_mj.experiment.development.figures import pictures
 from prospect_mj.experiment.development.measures.ages import AGES
 from prospect_mj.experiment.development.measures.measures import MEASURES
@@ -119,6 +120,16 @@ def test_numbers_of_a_row_are_those_measured(whole):
     assert shares == ["replay", *expected[Kind.SHARE]]
     assert trials[2] == "60 (60 to 60)"
     assert len(trials) + len(shares) == len(MEASURES) + 4
+
+
+def test_all_learners_are_asked_what_is_claimed_of_single_runs(whole):
+    section = whole.partition("\n### Single runs")[2].partition("\n## ")[0]
+    told = results().learners
+    for one in told:
+        judged = [each.judge(one.findings).verdict for each in OF_SINGLE_RUNS]
+        names = f"| {one.row.name} | {one.row.rule} |"
+        assert lines_of(section, names) == [f"{names} {' | '.join(judged)} |"]
+    assert len(told) > 20
 
 
 def test_learners_and_controls_are_in_the_same_tables(whole):
