@@ -11,10 +11,7 @@ from small_study import SETTINGS
 from prospect_mj.agent.features import N_BINS
 from prospect_mj.experiment.development.claims.findings import Findings
 from prospect_mj.experiment.development.haptics import ends
-from prospect_mj.experiment.development.haptics.haptics import (
-    HapticResults,
-    recorded,
-)
+from prospect_mj.experiment.development.haptics.haptics import HapticResults
 from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY, END
 from prospect_mj.experiment.development.measures.development import Development
 from prospect_mj.experiment.development.study import (
@@ -128,7 +125,7 @@ def touches(settings=SETTINGS):
 def haptics():
     """Grasps whose ends feel unlike, and what tells them."""
     rng, two = np.random.default_rng(0), ClusterSettings(models=2, starts=2)
-    grasps = {recorded(world): felt_by_hand.grasps(6, rng) for world in FELT_WORLDS}
+    grasps = {world: felt_by_hand.grasps(6, rng) for world in FELT_WORLDS}
     models = {jar: ends.clustered(one, two, rng).models for jar, one in grasps.items()}
     told = [ends.told(jar, one, two, rng) for jar, one in grasps.items()]
     numbers = [

@@ -3,26 +3,21 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
-import numpy as np
 import pyarrow as pa
 
 from prospect_mj.checks import check_integer
 from prospect_mj.experiment.development.haptics import ends, live
 from prospect_mj.experiment.development.haptics.grasp import Grasp, table
 from prospect_mj.experiment.development.haptics.recorded import grasps
-from prospect_mj.experiment.development.haptics.settings import HapticSettings
+from prospect_mj.experiment.development.haptics.settings import JARS, HapticSettings
 from prospect_mj.experiment.populations.population import MOST_JOBS
 from prospect_mj.haptics import ClusterSettings, TrajectoryModels
 from prospect_mj.recording.recording import Recording
 
 FOLDER = "haptics"
 """Of live grasps, in that of the study."""
-
-
-def recorded(world: str) -> str:
-    """Name of the recorded jar of a world, among those that are grasped live."""
-    return f"{world}, recorded"
 
 
 def models_file(world: str) -> str:
@@ -35,7 +30,7 @@ class HapticResults:
     """What came out."""
 
     grasps: Mapping[str, Sequence[Grasp]]
-    """Of each jar; those of a recording are called `recorded`."""
+    """Of each jar, by its world: recorded ones, or live ones where none are."""
     models: Mapping[str, TrajectoryModels]
     """Of the grasps of each jar."""
     told: pa.Table
@@ -60,7 +55,7 @@ def run(
     jobs: int = 1,
     tell: Callable[[str], object] = print,
 ) -> HapticResults:
-    """Grasp and cluster; live grasps that are kept are read.
+    """Cluster what was felt; the jars of no recording are grasped live, or read.
 
     Args:
         folder: of the study; live grasps are kept in `haptics` in it, the models of
@@ -78,40 +73,35 @@ def run(
     """
     settings = HapticSettings() if settings is None else settings
     check_integer("jobs", jobs, 1, MOST_JOBS)
-    rng = np.random.default_rng(settings.seed)
-    felt = {recorded(world): grasps(one) for world, one in recordings.items()}
-    felt |= _live(folder, settings, jobs, tell)
-    models = {
-        jar: ends.clustered(each, settings.clusters, rng).models
-        for jar, each in felt.items()
-    }
+    felt = {world: grasps(one) for world, one in recordings.items()}
+    others = [jar for jar in JARS if jar not in recordings]
+    felt |= live.grasps(folder / FOLDER, others, settings, jobs, tell)
+    found = {jar: _found(jar, each, settings) for jar, each in felt.items()}
+    models = {jar: one.models for jar, one in found.items()}
     for world in recordings:
-        models[recorded(world)].write(folder / FOLDER / models_file(world))
-    tables = _told(felt, settings, rng), _numbers(felt, settings, rng)
-    return HapticResults(felt, models, *tables)
+        models[world].write(folder / FOLDER / models_file(world))
+    told = pa.concat_tables(one.told for one in found.values())
+    numbers = pa.concat_tables(one.numbers for one in found.values())
+    return HapticResults(felt, models, told, numbers)
 
 
-def _told(
-    felt: Mapping[str, Sequence[Grasp]],
-    settings: HapticSettings,
-    rng: np.random.Generator,
-) -> pa.Table:
-    return pa.concat_tables(
-        ends.told(jar, each, settings.clusters, rng) for jar, each in felt.items()
-    )
+class _Found(NamedTuple):
+    """What came out of the grasps of one jar, as in `HapticResults`."""
+
+    models: TrajectoryModels
+    told: pa.Table
+    numbers: pa.Table
 
 
-def _numbers(
-    felt: Mapping[str, Sequence[Grasp]],
-    settings: HapticSettings,
-    rng: np.random.Generator,
-) -> pa.Table:
+def _found(jar: str, felt: Sequence[Grasp], settings: HapticSettings) -> _Found:
     def clusters(n_models: int) -> ClusterSettings:
         return replace(settings.clusters, models=n_models)
 
-    return pa.concat_tables(
-        ends.numbers(jar, each, settings.most_models, clusters, rng)
-        for jar, each in felt.items()
+    rng = settings.rng(jar)
+    return _Found(
+        ends.clustered(felt, settings.clusters, rng).models,
+        ends.told(jar, felt, settings.clusters, rng),
+        ends.numbers(jar, felt, settings.most_models, clusters, rng),
     )
 
 
@@ -121,11 +111,3 @@ def _all_grasps(felt: Mapping[str, Sequence[Grasp]]) -> pa.Table:
         table(each).add_column(0, "jar", pa.array([jar] * len(each), pa.string()))
         for jar, each in felt.items()
     )
-
-
-def _live(
-    folder: Path, settings: HapticSettings, jobs: int, tell: Callable[[str], object]
-) -> dict[str, list[Grasp]]:
-    """The grasps of each jar; none if no jar is to be grasped."""
-    per_side, seed = settings.grasped // 4, settings.seed
-    return live.grasps(folder / FOLDER, per_side, seed, jobs, tell)

@@ -8,7 +8,7 @@ import pyarrow.compute as pc
 from prospect_mj.experiment.development.claims.criteria import develops
 from prospect_mj.experiment.development.haptics import ends
 from prospect_mj.experiment.development.haptics.grasp import KINDS
-from prospect_mj.experiment.development.haptics.haptics import HapticResults, recorded
+from prospect_mj.experiment.development.haptics.haptics import HapticResults
 from prospect_mj.experiment.development.report.cells import measured_table
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.report.haptics_answer import answer
@@ -56,7 +56,7 @@ def haptics(results: Results) -> Iterator[str]:
     found = results.haptics
     yield "## Haptic categories"
     yield answer(found.told, results.touches)
-    yield _MODELS.format(models=len(found.models[recorded(STANDARD)])).rstrip()
+    yield _MODELS.format(models=len(found.models[STANDARD])).rstrip()
     yield "![Phase portraits of grasps](figures/haptics_portraits.png)"
     yield "### What they tell that two bits can't"
     yield _TOLD.rstrip()

@@ -165,7 +165,7 @@ class Study:
         felt = {name: self._recordings.by_world[name] for name in FELT_WORLDS}
         found = haptics.run(self._folder, felt, settings, self._jobs, self._tell)
         worlds = {
-            name: touch.worlds(recording, found.models[haptics.recorded(name)])
+            name: touch.worlds(recording, found.models[name])
             for name, recording in felt.items()
         }
         numbers = {

@@ -97,7 +97,7 @@ def test_every_learner_is_compared_with_itself_told_the_hand(results):
 )
 def test_how_well_an_end_is_told_is_said_by_the_lower_bound(results, low, words):
     lines = answer(told(results, low), results.touches).splitlines()
-    of_ends = [line for line in lines if "standard, recorded, hand-over" in line]
+    of_ends = [line for line in lines if "standard, hand-over" in line]
     bounds = f"90 ({100 * low:.0f} to 95) %"
     assert len(of_ends) == 1
     assert of_ends[0].startswith(f"- {words}: ")
@@ -126,7 +126,7 @@ def test_the_answer_says_what_was_measured(results):
 def test_the_category_tells_the_end_if_all_of_the_interval_does(results, low, verdict):
     claim, _ = separations(told(results, low))
     assert claim.verdict is verdict
-    assert claim.of == "jar: standard, recorded"
+    assert claim.of == "jar: standard"
     assert "out of the cradle 90 " in claim.evidence
     assert "by the two bits 50 %" in claim.evidence
 
@@ -165,4 +165,4 @@ def test_the_section_has_every_row(results):
         of = f"{one.row.world} | {one.row.name}"
         line = f"\n| {of} | {one.row.touch} | {verdict} | - | - | 4 | "
         assert line in text
-    assert "| standard, recorded | hand-over | 12 | 24 | 50 (25 to 75) | 100" in text
+    assert "| standard | hand-over | 12 | 24 | 50 (25 to 75) | 100" in text

@@ -236,8 +236,7 @@ def test_what_learners_are_told_of_grasps_is_a_part_like_others(
     tmp_path, worlds, monkeypatch
 ):
     standard, asked = worlds.standard, []
-    recorded = map(study.haptics.recorded, FELT_WORLDS)
-    found = SimpleNamespace(models=dict.fromkeys(recorded), tables={})
+    found = SimpleNamespace(models=dict.fromkeys(FELT_WORLDS), tables={})
     monkeypatch.setattr(study.haptics, "run", lambda *a: asked.append(a) or found)
     end = np.arange(len(standard.nodes.child)) % 2
     told = {BITS: RecordedWorld(standard), END: RecordedWorld(standard, 2, end)}
