@@ -13,7 +13,7 @@ from prospect_mj.experiment.development.haptics.grasp import Grasp, table
 from prospect_mj.experiment.development.haptics.recorded import grasps
 from prospect_mj.experiment.development.haptics.settings import JARS, HapticSettings
 from prospect_mj.experiment.populations.population import MOST_JOBS
-from prospect_mj.haptics import ClusterSettings, TrajectoryModels
+from prospect_mj.haptics import TrajectoryModels
 from prospect_mj.recording.recording import Recording
 
 FOLDER = "haptics"
@@ -33,6 +33,8 @@ class HapticResults:
     """Of each jar, by its world: recorded ones, or live ones where none are."""
     models: Mapping[str, TrajectoryModels]
     """Of the grasps of each jar."""
+    others: Mapping[str, Mapping[int, TrajectoryModels]]
+    """Of each jar, by their number: other numbers of models, from two."""
     told: pa.Table
     """Under `ends.TOLD`: how often the end is told right, by what."""
     numbers: pa.Table
@@ -77,31 +79,41 @@ def run(
     others = [jar for jar in JARS if jar not in recordings]
     felt |= live.grasps(folder / FOLDER, others, settings, jobs, tell)
     found = {jar: _found(jar, each, settings) for jar, each in felt.items()}
-    models = {jar: one.models for jar, one in found.items()}
+    own = settings.clusters.models
+    models = {jar: one.models[own] for jar, one in found.items()}
+    others = {
+        jar: {n: each for n, each in one.models.items() if n not in (1, own)}
+        for jar, one in found.items()
+    }
     for world in recordings:
         models[world].write(folder / FOLDER / models_file(world))
     told = pa.concat_tables(one.told for one in found.values())
     numbers = pa.concat_tables(one.numbers for one in found.values())
-    return HapticResults(felt, models, told, numbers)
+    return HapticResults(felt, models, others, told, numbers)
 
 
 class _Found(NamedTuple):
     """What came out of the grasps of one jar, as in `HapticResults`."""
 
-    models: TrajectoryModels
+    models: dict[int, TrajectoryModels]
+    """By their number."""
     told: pa.Table
     numbers: pa.Table
 
 
 def _found(jar: str, felt: Sequence[Grasp], settings: HapticSettings) -> _Found:
-    def clusters(n_models: int) -> ClusterSettings:
-        return replace(settings.clusters, models=n_models)
-
+    clusters = settings.clusters
     rng = settings.rng(jar)
+    surely = replace(clusters, starts=settings.starts)
+    most = min(settings.most_models, len(felt))
+    fits = {
+        n: ends.clustered(felt, replace(surely, models=n), rng)
+        for n in sorted({*range(1, most + 1), clusters.models})
+    }
     return _Found(
-        ends.clustered(felt, settings.clusters, rng).models,
-        ends.told(jar, felt, settings.clusters, rng),
-        ends.numbers(jar, felt, settings.most_models, clusters, rng),
+        {n: one.models for n, one in fits.items()},
+        ends.told(jar, felt, clusters, rng),
+        ends.numbers(jar, felt, fits, clusters, rng),
     )
 
 

@@ -26,6 +26,10 @@ class HapticSettings:
     clusters: ClusterSettings = field(default_factory=ClusterSettings)
     """Six models: of numbers up to eight, models of halves of the recorded grasps agree
     best then. The report has other numbers beside."""
+    starts: int = 100
+    """Of clusterings of all grasps of a jar, of whose models learners are told; those
+    of a part of the grasps have the starts of `clusters`. One start in thirty comes to
+    the best six models of the standard jar."""
     most_models: int = 8
     """Numbers of models up to this one are compared."""
     grasped: int = 72
@@ -37,6 +41,7 @@ class HapticSettings:
 
     def __post_init__(self) -> None:
         """Refuse sizes of no study."""
+        check_integer("starts", self.starts, 1, 10_000)
         check_integer("numbers of models", self.most_models, 1, 20)
         check_grasped(self.grasped)
         check_integer("seed", self.seed, 0, LARGEST_SEED)

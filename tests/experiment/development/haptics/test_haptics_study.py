@@ -15,7 +15,9 @@ from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY, END
 from prospect_mj.haptics import ClusterSettings, TrajectoryModels
 from prospect_mj.recording.worlds import STANDARD
 
-SETTINGS = HapticSettings(ClusterSettings(models=3, starts=2), most_models=2, grasped=0)
+SETTINGS = HapticSettings(
+    ClusterSettings(models=3, starts=2), starts=2, most_models=2, grasped=0
+)
 
 
 def studied(folder: Path, *worlds: str, **changed) -> haptics.HapticResults:
@@ -52,7 +54,13 @@ def test_the_end_is_told_by_each_sense_and_number_of_models(results):
     told = {row["by"]: row["told"] for row in results.told.to_pylist()}
     assert told == dict(zip(ends.BY, (0.5, 1.0, 1.0, 1.0), strict=True))
     by_number = [(r["models"], r["told"]) for r in results.numbers.to_pylist()]
-    assert by_number == [(1, 0.5), (2, 1.0)]
+    assert by_number == [(1, 0.5), (2, 1.0), (3, 1.0)]
+
+
+def test_other_numbers_of_models_are_there_for_learners(results):
+    (others,) = results.others.values()
+    assert {number: len(models) for number, models in others.items()} == {2: 2}
+    assert len(results.models[STANDARD]) == 3
 
 
 def test_learners_are_told_the_hand_the_category_or_the_end(results):
@@ -64,7 +72,8 @@ def test_learners_are_told_the_hand_the_category_or_the_end(results):
 def test_what_comes_of_a_jar_hangs_on_no_other_jar(tmp_path, felt_by_hand):
     alone = studied(tmp_path, "wide-lid")
     beside = studied(tmp_path, STANDARD, "wide-lid")
-    assert beside.models["wide-lid"] == alone.models["wide-lid"]
+    for made in ("models", "others"):
+        assert getattr(beside, made)["wide-lid"] == getattr(alone, made)["wide-lid"]
     for name in ("told", "numbers"):
         rows = getattr(beside, name).to_pylist()
         own = [row for row in rows if row["jar"] == "wide-lid"]
