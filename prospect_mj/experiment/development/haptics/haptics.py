@@ -15,6 +15,7 @@ from prospect_mj.experiment.development.haptics.settings import JARS, HapticSett
 from prospect_mj.experiment.populations.population import MOST_JOBS
 from prospect_mj.haptics import TrajectoryModels
 from prospect_mj.recording.recording import Recording
+from prospect_mj.recording.workers import Workers
 
 FOLDER = "haptics"
 """Of live grasps, in that of the study."""
@@ -78,7 +79,9 @@ def run(
     felt = {world: grasps(one) for world, one in recordings.items()}
     others = [jar for jar in JARS if jar not in recordings]
     felt |= live.grasps(folder / FOLDER, others, settings, jobs, tell)
-    found = {jar: _found(jar, each, settings) for jar, each in felt.items()}
+    given = [_Given(jar, each, settings) for jar, each in felt.items()]
+    made = dict(Workers(min(jobs, len(given))).map(_found, given))
+    found = {jar: made[jar] for jar in felt}
     own = settings.clusters.models
     models = {jar: one.models[own] for jar, one in found.items()}
     others = {
@@ -92,6 +95,14 @@ def run(
     return HapticResults(felt, models, others, told, numbers)
 
 
+class _Given(NamedTuple):
+    """What is clustered in one process."""
+
+    jar: str
+    felt: Sequence[Grasp]
+    settings: HapticSettings
+
+
 class _Found(NamedTuple):
     """What came out of the grasps of one jar, as in `HapticResults`."""
 
@@ -101,19 +112,21 @@ class _Found(NamedTuple):
     numbers: pa.Table
 
 
-def _found(jar: str, felt: Sequence[Grasp], settings: HapticSettings) -> _Found:
+def _found(given: _Given) -> tuple[str, _Found]:
+    """A jar, and what came out of its grasps."""
+    jar, felt, settings = given
     clusters = settings.clusters
-    rng = settings.rng(jar)
+    whole, tried, halves = settings.rng(jar).spawn(3)
     surely = replace(clusters, starts=settings.starts)
     most = min(settings.most_models, len(felt))
     fits = {
-        n: ends.clustered(felt, replace(surely, models=n), rng)
+        n: ends.clustered(felt, replace(surely, models=n), whole)
         for n in sorted({*range(1, most + 1), clusters.models})
     }
-    return _Found(
+    return jar, _Found(
         {n: one.models for n, one in fits.items()},
-        ends.told(jar, felt, clusters, rng),
-        ends.numbers(jar, felt, fits, clusters, rng),
+        ends.told(jar, felt, clusters, tried),
+        ends.numbers(jar, felt, fits, clusters, halves),
     )
 
 

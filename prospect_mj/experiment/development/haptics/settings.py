@@ -24,13 +24,13 @@ class HapticSettings:
     """What is grasped and clustered."""
 
     clusters: ClusterSettings = field(default_factory=ClusterSettings)
-    """Six models: of numbers up to eight, models of halves of the recorded grasps agree
-    best then. The report has other numbers beside."""
-    starts: int = 100
+    """Six models: of numbers from two to seven, models of halves of the standard jar's
+    recorded grasps agree best then. The report has other numbers beside."""
+    starts: int = 200
     """Of clusterings of all grasps of a jar, of whose models learners are told; those
     of a part of the grasps have the starts of `clusters`. One start in thirty comes to
     the best six models of the standard jar."""
-    most_models: int = 8
+    most_models: int = 7
     """Numbers of models up to this one are compared."""
     grasped: int = 72
     """Live grasps out of the cradle of each jar without a recording, and as many
