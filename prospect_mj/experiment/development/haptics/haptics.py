@@ -79,9 +79,7 @@ def run(
     felt = {world: grasps(one) for world, one in recordings.items()}
     others = [jar for jar in JARS if jar not in recordings]
     felt |= live.grasps(folder / FOLDER, others, settings, jobs, tell)
-    given = [_Given(jar, each, settings) for jar, each in felt.items()]
-    made = dict(Workers(min(jobs, len(given))).map(_found, given))
-    found = {jar: made[jar] for jar in felt}
+    found = _all_found(felt, settings, jobs)
     own = settings.clusters.models
     models = {jar: one.models[own] for jar, one in found.items()}
     others = {
@@ -110,6 +108,15 @@ class _Found(NamedTuple):
     """By their number."""
     told: pa.Table
     numbers: pa.Table
+
+
+def _all_found(
+    felt: Mapping[str, Sequence[Grasp]], settings: HapticSettings, jobs: int
+) -> dict[str, _Found]:
+    """What came out of each jar's grasps, in the order of the jars."""
+    given = [_Given(jar, each, settings) for jar, each in felt.items()]
+    made = dict(Workers(min(jobs, len(given))).map(_found, given))
+    return {jar: made[jar] for jar in felt}
 
 
 def _found(given: _Given) -> tuple[str, _Found]:
