@@ -11,10 +11,7 @@ from small_study import SETTINGS
 from prospect_mj.agent.features import N_BINS
 from prospect_mj.experiment.development.claims.findings import Findings
 from prospect_mj.experiment.development.haptics import ends
-from prospect_mj.experiment.development.haptics.haptics import (
-    HapticResults,
-    recorded,
-)
+from prospect_mj.experiment.development.haptics.haptics import HapticResults
 from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY, END
 from prospect_mj.experiment.development.measures.development import Development
 from prospect_mj.experiment.development.study import (
@@ -124,18 +121,25 @@ def touches(settings=SETTINGS):
     return [shown(row, TOLD[row.touch][1]) for row in rows]
 
 
+def by_number(settings=SETTINGS):
+    """The learner that is told categories of other numbers of models."""
+    rows = haptic_rows.of_numbers(settings, dict.fromkeys(FELT_WORLDS, (2, 5)))
+    return [shown(row, "infant") for row in rows]
+
+
 @cache
 def haptics():
     """Grasps whose ends feel unlike, and what tells them."""
     rng, two = np.random.default_rng(0), ClusterSettings(models=2, starts=2)
-    grasps = {recorded(world): felt_by_hand.grasps(6, rng) for world in FELT_WORLDS}
-    models = {jar: ends.clustered(one, two, rng).models for jar, one in grasps.items()}
+    grasps = {world: felt_by_hand.grasps(6, rng) for world in FELT_WORLDS}
+    fits = {jar: ends.clustered(one, two, rng) for jar, one in grasps.items()}
+    models = {jar: found.models for jar, found in fits.items()}
     told = [ends.told(jar, one, two, rng) for jar, one in grasps.items()]
     numbers = [
-        ends.numbers(jar, one, 1, lambda _: two, rng) for jar, one in grasps.items()
+        ends.numbers(jar, one, {2: fits[jar]}, two, rng) for jar, one in grasps.items()
     ]
     return HapticResults(
-        grasps, models, pa.concat_tables(told), pa.concat_tables(numbers)
+        grasps, models, {}, pa.concat_tables(told), pa.concat_tables(numbers)
     )
 
 
@@ -173,5 +177,6 @@ def results(extent=EXTENT, settings=SETTINGS):
     made.found = found() if "found" in parts else None
     if "haptics" in parts:
         made.haptics, made.touches = haptics(), touches(settings)
+        made.by_number = by_number(settings)
     made.seconds = dict.fromkeys(parts, 1.5)
     return made

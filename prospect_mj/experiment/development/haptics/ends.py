@@ -14,7 +14,8 @@ Grasps of one presentation share where the jar lies and what the eyes saw. So in
 are as wide as if each presentation were a single grasp.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -106,28 +107,30 @@ def told(
 def numbers(
     jar: str,
     grasps: Sequence[Grasp],
-    most: int,
-    settings: Callable[[int], ClusterSettings],
+    fits: Mapping[int, Fit],
+    settings: ClusterSettings,
     rng: np.random.Generator,
 ) -> pa.Table:
-    """What each number of models comes to; under `NUMBERS`.
+    """What each number of models comes to that has grasps enough; under `NUMBERS`.
 
     Args:
         jar: its name.
         grasps: of both kinds.
-        most: the largest number, if there are four grasps for each model.
-        settings: of a clustering into so many models.
+        fits: to all of them, by the number of models.
+        settings: of clusterings of some of them, but for the number of models.
         rng: draws the starts.
     """
     rows, all_of_them = [], np.ones(len(grasps), np.bool_)
-    for n_models in range(1, min(most, len(grasps) // _OF_EACH) + 1):
-        size = settings(n_models)
+    for n_models, whole in fits.items():
+        if n_models * _OF_EACH > len(grasps):
+            continue
+        size = replace(settings, models=n_models)
         hits = _right(grasps, size, rng)[CATEGORY]
         rows.append(
             {
                 "jar": jar,
                 "models": n_models,
-                "bic": clustered(grasps, size, rng).bic,
+                "bic": whole.bic,
                 **_agreement(grasps, size, rng),
                 **_share(hits, grasps, all_of_them),
             }

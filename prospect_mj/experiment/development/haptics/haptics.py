@@ -3,26 +3,22 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
-import numpy as np
 import pyarrow as pa
 
 from prospect_mj.checks import check_integer
 from prospect_mj.experiment.development.haptics import ends, live
 from prospect_mj.experiment.development.haptics.grasp import Grasp, table
 from prospect_mj.experiment.development.haptics.recorded import grasps
-from prospect_mj.experiment.development.haptics.settings import HapticSettings
+from prospect_mj.experiment.development.haptics.settings import JARS, HapticSettings
 from prospect_mj.experiment.populations.population import MOST_JOBS
-from prospect_mj.haptics import ClusterSettings, TrajectoryModels
+from prospect_mj.haptics import TrajectoryModels
 from prospect_mj.recording.recording import Recording
+from prospect_mj.recording.workers import Workers
 
 FOLDER = "haptics"
 """Of live grasps, in that of the study."""
-
-
-def recorded(world: str) -> str:
-    """Name of the recorded jar of a world, among those that are grasped live."""
-    return f"{world}, recorded"
 
 
 def models_file(world: str) -> str:
@@ -35,9 +31,11 @@ class HapticResults:
     """What came out."""
 
     grasps: Mapping[str, Sequence[Grasp]]
-    """Of each jar; those of a recording are called `recorded`."""
+    """Of each jar, by its world: recorded ones, or live ones where none are."""
     models: Mapping[str, TrajectoryModels]
     """Of the grasps of each jar."""
+    others: Mapping[str, Mapping[int, TrajectoryModels]]
+    """Of each jar, by their number: other numbers of models, from two."""
     told: pa.Table
     """Under `ends.TOLD`: how often the end is told right, by what."""
     numbers: pa.Table
@@ -60,7 +58,7 @@ def run(
     jobs: int = 1,
     tell: Callable[[str], object] = print,
 ) -> HapticResults:
-    """Grasp and cluster; live grasps that are kept are read.
+    """Cluster what was felt; the jars of no recording are grasped live, or read.
 
     Args:
         folder: of the study; live grasps are kept in `haptics` in it, the models of
@@ -78,40 +76,64 @@ def run(
     """
     settings = HapticSettings() if settings is None else settings
     check_integer("jobs", jobs, 1, MOST_JOBS)
-    rng = np.random.default_rng(settings.seed)
-    felt = {recorded(world): grasps(one) for world, one in recordings.items()}
-    felt |= _live(folder, settings, jobs, tell)
-    models = {
-        jar: ends.clustered(each, settings.clusters, rng).models
-        for jar, each in felt.items()
+    felt = {world: grasps(one) for world, one in recordings.items()}
+    others = [jar for jar in JARS if jar not in recordings]
+    felt |= live.grasps(folder / FOLDER, others, settings, jobs, tell)
+    found = _all_found(felt, settings, jobs)
+    own = settings.clusters.models
+    models = {jar: one.models[own] for jar, one in found.items()}
+    others = {
+        jar: {n: each for n, each in one.models.items() if n not in (1, own)}
+        for jar, one in found.items()
     }
     for world in recordings:
-        models[recorded(world)].write(folder / FOLDER / models_file(world))
-    tables = _told(felt, settings, rng), _numbers(felt, settings, rng)
-    return HapticResults(felt, models, *tables)
+        models[world].write(folder / FOLDER / models_file(world))
+    told = pa.concat_tables(one.told for one in found.values())
+    numbers = pa.concat_tables(one.numbers for one in found.values())
+    return HapticResults(felt, models, others, told, numbers)
 
 
-def _told(
-    felt: Mapping[str, Sequence[Grasp]],
-    settings: HapticSettings,
-    rng: np.random.Generator,
-) -> pa.Table:
-    return pa.concat_tables(
-        ends.told(jar, each, settings.clusters, rng) for jar, each in felt.items()
-    )
+class _Given(NamedTuple):
+    """What is clustered in one process."""
+
+    jar: str
+    felt: Sequence[Grasp]
+    settings: HapticSettings
 
 
-def _numbers(
-    felt: Mapping[str, Sequence[Grasp]],
-    settings: HapticSettings,
-    rng: np.random.Generator,
-) -> pa.Table:
-    def clusters(n_models: int) -> ClusterSettings:
-        return replace(settings.clusters, models=n_models)
+class _Found(NamedTuple):
+    """What came out of the grasps of one jar, as in `HapticResults`."""
 
-    return pa.concat_tables(
-        ends.numbers(jar, each, settings.most_models, clusters, rng)
-        for jar, each in felt.items()
+    models: dict[int, TrajectoryModels]
+    """By their number."""
+    told: pa.Table
+    numbers: pa.Table
+
+
+def _all_found(
+    felt: Mapping[str, Sequence[Grasp]], settings: HapticSettings, jobs: int
+) -> dict[str, _Found]:
+    """What came out of each jar's grasps, in the order of the jars."""
+    given = [_Given(jar, each, settings) for jar, each in felt.items()]
+    made = dict(Workers(min(jobs, len(given))).map(_found, given))
+    return {jar: made[jar] for jar in felt}
+
+
+def _found(given: _Given) -> tuple[str, _Found]:
+    """A jar, and what came out of its grasps."""
+    jar, felt, settings = given
+    clusters = settings.clusters
+    whole, tried, halves = settings.rng(jar).spawn(3)
+    surely = replace(clusters, starts=settings.starts)
+    most = min(settings.most_models, len(felt))
+    fits = {
+        n: ends.clustered(felt, replace(surely, models=n), whole)
+        for n in sorted({*range(1, most + 1), clusters.models})
+    }
+    return jar, _Found(
+        {n: one.models for n, one in fits.items()},
+        ends.told(jar, felt, clusters, tried),
+        ends.numbers(jar, felt, fits, clusters, halves),
     )
 
 
@@ -121,11 +143,3 @@ def _all_grasps(felt: Mapping[str, Sequence[Grasp]]) -> pa.Table:
         table(each).add_column(0, "jar", pa.array([jar] * len(each), pa.string()))
         for jar, each in felt.items()
     )
-
-
-def _live(
-    folder: Path, settings: HapticSettings, jobs: int, tell: Callable[[str], object]
-) -> dict[str, list[Grasp]]:
-    """The grasps of each jar; none if no jar is to be grasped."""
-    per_side, seed = settings.grasped // 4, settings.seed
-    return live.grasps(folder / FOLDER, per_side, seed, jobs, tell)

@@ -1,7 +1,7 @@
 """Live grasps of jars, each share of them in a process of its own, kept as they end."""
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -19,7 +19,7 @@ from prospect_mj.experiment.development.haptics.grasp import (
     of_table,
     table,
 )
-from prospect_mj.experiment.development.haptics.settings import JARS
+from prospect_mj.experiment.development.haptics.settings import HapticSettings
 from prospect_mj.recording.config import RecordingConfig
 from prospect_mj.recording.grower import task_settings
 from prospect_mj.recording.hands import GRASPS, NUMBERS, SWAPS
@@ -68,22 +68,23 @@ class Share(NamedTuple):
 
 def grasps(
     folder: Path,
-    per_side: int,
-    seed: int,
+    jars: Sequence[str],
+    settings: HapticSettings,
     jobs: int,
     tell: Callable[[str], object],
 ) -> dict[str, list[Grasp]]:
-    """Grasp all jars, but for what is kept already.
+    """Grasp jars, but for what is kept already.
 
     Args:
         folder: where grasps are kept; made if it isn't there.
-        per_side: presentations of each jar with the lid on each side; none if 0.
-        seed: of the presentations, which are the same for all jars.
+        jars: names of their worlds.
+        settings: how often, and the seed of the presentations, which are the same for
+            all jars.
         jobs: processes side by side.
         tell: takes a line as each share ends.
 
     Returns:
-        The grasps of each jar.
+        The grasps of each jar; of none if none are to be made.
 
     Raises:
         RunFolderError: if the folder can't be made, or a file in it is damaged.
@@ -91,7 +92,8 @@ def grasps(
         ChildProcessError: if a process was killed.
     """
     make_folder(folder, RunFolderError)
-    jars = JARS if per_side else ()
+    per_side, seed = settings.per_side, settings.seed
+    jars = jars if per_side else ()
     shares = [Share(jar, side, per_side, seed) for jar in jars for side in ORIENTATIONS]
     missing = [share for share in shares if not (folder / share.file).exists()]
     if missing:

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from prospect_mj.checks import check_integer
 from prospect_mj.errors import InvalidValue
 from prospect_mj.haptics import ClusterSettings
@@ -9,8 +11,8 @@ from prospect_mj.recording.config import LARGEST_SEED
 from prospect_mj.recording.worlds import STANDARD
 
 JARS = (STANDARD, "wide-lid", "narrow-lid")
-"""Worlds whose jar is grasped live: lids of 45, 48 and 42 mm radius on a body of 36 mm.
-One of 38 mm the eyes take for no lid."""
+"""Worlds of the jars: lids of 45, 48 and 42 mm radius on a body of 36 mm. One of 38 mm
+the eyes take for no lid."""
 
 _LEAST_GRASPED = 8
 """Two presentations of each orientation: one to learn from, one to be tried on."""
@@ -22,21 +24,37 @@ class HapticSettings:
     """What is grasped and clustered."""
 
     clusters: ClusterSettings = field(default_factory=ClusterSettings)
-    """Six models: of numbers up to eight, models of halves of the recorded grasps agree
-    best then. The report has other numbers beside."""
+    """Six models: of numbers from two to seven, models of halves of the standard jar's
+    recorded grasps agree best then. The report has other numbers beside."""
+    starts: int = 200
+    """Of clusterings of all grasps of a jar, of whose models learners are told; those
+    of a part of the grasps have the starts of `clusters`. One start in thirty comes to
+    the best six models of the standard jar."""
     most_models: int = 7
     """Numbers of models up to this one are compared."""
-    grasped: int = 24
-    """Live grasps of each jar out of the cradle, and as many hand-overs: both hands at
-    a quarter as many presentations of each orientation. 0: no jar is grasped live."""
+    grasped: int = 72
+    """Live grasps out of the cradle of each jar without a recording, and as many
+    hand-overs: both hands at a quarter as many presentations of each orientation. 0: no
+    jar is grasped live."""
     seed: int = 0
     """Of presentations and clustering."""
 
     def __post_init__(self) -> None:
         """Refuse sizes of no study."""
+        check_integer("starts", self.starts, 1, 10_000)
         check_integer("numbers of models", self.most_models, 1, 20)
         check_grasped(self.grasped)
         check_integer("seed", self.seed, 0, LARGEST_SEED)
+
+    @property
+    def per_side(self) -> int:
+        """Presentations of a jar that is grasped live, with the lid on each side."""
+        return self.grasped // 4
+
+    def rng(self, jar: str) -> np.random.Generator:
+        """A jar's own generator: what it draws hangs on no other jar."""
+        key = tuple(jar.encode())
+        return np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=key))
 
 
 def check_grasped(number: int) -> None:

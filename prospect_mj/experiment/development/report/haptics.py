@@ -8,13 +8,23 @@ import pyarrow.compute as pc
 from prospect_mj.experiment.development.claims.criteria import develops
 from prospect_mj.experiment.development.haptics import ends
 from prospect_mj.experiment.development.haptics.grasp import KINDS
-from prospect_mj.experiment.development.haptics.haptics import HapticResults, recorded
+from prospect_mj.experiment.development.haptics.haptics import HapticResults
+from prospect_mj.experiment.development.haptics.touch import CATEGORY
+from prospect_mj.experiment.development.measures.measures import (
+    early_gone,
+    early_most,
+    late_gone,
+    late_most,
+    optimal_last,
+)
 from prospect_mj.experiment.development.report.cells import measured_table
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.report.haptics_answer import answer
 from prospect_mj.experiment.development.report.haptics_claims import percent
+from prospect_mj.experiment.development.study import haptic_rows
 from prospect_mj.experiment.development.study.measured import GRASP, INSERTION
 from prospect_mj.experiment.development.study.results import Results
+from prospect_mj.experiment.development.study.settings import FELT_WORLDS
 from prospect_mj.experiment.paper.measures.quantity import Kind, with_interval
 from prospect_mj.experiment.paper.report.markdown import table
 from prospect_mj.recording.worlds import STANDARD
@@ -22,8 +32,8 @@ from prospect_mj.recording.worlds import STANDARD
 _MODELS = """\
 The paths of the grasp controller through the phase portrait of its residual and the
 residual's rate, while all three fingertips touch, were clustered into {models} models,
-without a word about what was grasped. Ellipses lie at two deviations; dotted: after a
-correction of the hand.
+without a word about what was grasped. {felt}
+Ellipses lie at two deviations; dotted: after a correction of the hand.
 """
 
 _TOLD = """\
@@ -51,12 +61,20 @@ counts as split when it is for one of them.
 """
 
 
+_BY_NUMBER = """\
+How far that hangs on the number of models: the learner that discovers, told the
+category, for each number.
+"""
+_MEASURES = late_gone, early_gone, late_most, early_most, optimal_last
+
+
 def haptics(results: Results) -> Iterator[str]:
     """The section, a piece at a time."""
     found = results.haptics
     yield "## Haptic categories"
     yield answer(found.told, results.touches)
-    yield _MODELS.format(models=len(found.models[recorded(STANDARD)])).rstrip()
+    n_models = len(found.models[STANDARD])
+    yield _MODELS.format(models=n_models, felt=_felt(found)).rstrip()
     yield "![Phase portraits of grasps](figures/haptics_portraits.png)"
     yield "### What they tell that two bits can't"
     yield _TOLD.rstrip()
@@ -70,7 +88,16 @@ def haptics(results: Results) -> Iterator[str]:
         picture = f"figures/haptics_strategies_{world}.png"
         yield f"![Strategies of those told more, {world} jar]({picture})"
     yield _effect(results)
+    yield _BY_NUMBER.rstrip()
+    yield _by_number(results)
     yield command(results, "haptics")
+
+
+def _felt(found: HapticResults) -> str:
+    """Where the grasps are from."""
+    live = [jar for jar in found.grasps if jar not in FELT_WORLDS]
+    made = f"; live ones: {', '.join(live)}" if live else ""
+    return f"Grasps are those of the recordings{made}."
 
 
 def _told(found: HapticResults) -> str:
@@ -113,6 +140,26 @@ def _effect(results: Results) -> str:
         for one in results.touches
     ]
     return measured_table(head, rows)
+
+
+def _by_number(results: Results) -> str:
+    usual = (one for one in results.touches if one.row.touch == CATEGORY)
+    shown = [one for one in usual if one.row.name == haptic_rows.COUNTING]
+    worlds = [one.row.world for one in shown]
+    shown += results.by_number
+    shown.sort(key=lambda o: (worlds.index(o.row.world), o.row.settings.categories))
+    rows = [
+        (
+            (
+                one.row.world,
+                str(one.row.settings.categories),
+                develops(one.measured),
+            ),
+            one.measured,
+        )
+        for one in shown
+    ]
+    return measured_table(("jar", "models", "as infants"), rows, _MEASURES)
 
 
 def _split(found: Mapping[str, Any], name: str) -> str:

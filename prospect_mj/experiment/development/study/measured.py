@@ -24,6 +24,7 @@ _NAMES = {
     "world": pa.string(),
     "then": pa.string(),
     "touch": pa.string(),
+    "categories": pa.int32(),
 }
 MEASURED_SCHEMA = pa.schema(
     {
@@ -171,7 +172,7 @@ def words(sequence: Sequence[Strategy]) -> str:
     return ", ".join(strategy.name.lower() for strategy in sequence) or "none"
 
 
-def _names(row: Row) -> dict[str, str | None]:
+def _names(row: Row) -> dict[str, str | int | None]:
     return {
         "part": row.part,
         "name": row.name,
@@ -179,6 +180,7 @@ def _names(row: Row) -> dict[str, str | None]:
         "world": row.world,
         "then": row.then,
         "touch": row.touch,
+        "categories": row.settings.categories,
     }
 
 

@@ -3,7 +3,11 @@
 from prospect_mj.experiment.development.haptics.recorded import grasps
 from prospect_mj.experiment.development.rivals.deep.agents import check_installed
 from prospect_mj.experiment.development.study.recordings import Recordings
-from prospect_mj.experiment.development.study.settings import Extent, StudySettings
+from prospect_mj.experiment.development.study.settings import (
+    FELT_WORLDS,
+    Extent,
+    StudySettings,
+)
 from prospect_mj.sim import gl
 
 
@@ -27,7 +31,8 @@ def check_ready(
     if "rivals" in parts:
         check_installed()
     if "haptics" in parts:
-        grasps(recordings.standard)
+        for world in FELT_WORLDS:
+            grasps(recordings.by_world[world])
     live = (
         "haptics" in parts and settings.grasped,
         "rivals" in parts and settings.planned,

@@ -60,6 +60,8 @@ class Results:
     haptics: HapticResults | None = None
     touches: list[MeasuredCurves] = field(default_factory=list)
     """Learners that are told more or less of a grasp."""
+    by_number: list[MeasuredCurves] = field(default_factory=list)
+    """The one that discovers, told categories of other numbers of models."""
     rivals: RivalResults | None = None
     seconds: Mapping[str, float] = field(default_factory=dict)
     """Wall time of each part in this command [s]."""

@@ -45,7 +45,8 @@ class Row:
         """Its name among all rows of the study."""
         where = "" if self.world == STANDARD else f", {self.world}"
         change = "" if self.then is None else f", then {self.then}"
-        touch = "" if self.touch == BITS else f", told the {self.touch}"
+        kinds = f", told the {self.touch}, one of {self.settings.categories}"
+        touch = "" if self.touch == BITS else kinds
         return f"{self.name}, {self.rule}{where}{change}{touch}"
 
 

@@ -58,8 +58,9 @@ class StudySettings:
     """Runs of each deep learner among the rivals."""
     deep_trials: int = 1500
     """Trials of each run of a rival."""
-    grasped: int = 24
-    """Live grasps of each jar in the part haptics, a multiple of 4 from 8; 0: none."""
+    grasped: int = 72
+    """Live grasps of the jar without a recording in the part haptics, a multiple of 4
+    from 8; 0: none."""
     planned: int = 4
     """Presentations in which the planner searches live physics, an even number; 0:
     none."""

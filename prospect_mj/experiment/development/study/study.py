@@ -1,6 +1,6 @@
 """The study, part by part; what was made in an earlier command is read."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from time import perf_counter
@@ -36,6 +36,8 @@ from prospect_mj.experiment.development.study.settings import (
 )
 from prospect_mj.experiment.paper.measures.measure import Measure
 from prospect_mj.experiment.populations.recorded_world import RecordedWorld
+from prospect_mj.haptics import TrajectoryModels
+from prospect_mj.recording.recording import Recording
 
 
 class Study:
@@ -166,7 +168,7 @@ class Study:
         felt = {name: self._recordings.by_world[name] for name in FELT_WORLDS}
         found = haptics.run(self._folder, felt, settings, self._jobs, self._tell)
         worlds = {
-            name: touch.worlds(recording, found.models[haptics.recorded(name)])
+            name: touch.worlds(recording, found.models[name])
             for name, recording in felt.items()
         }
         numbers = {
@@ -174,10 +176,27 @@ class Study:
             for name, told_worlds in worlds.items()
         }
         self._results.haptics = found
+        rows = haptic_rows.rows(size, numbers)
         self._results.touches = [
             self._shown(row, number, world=worlds[row.world][row.touch])
-            for number, row in enumerate(haptic_rows.rows(size, numbers))
+            for number, row in enumerate(rows)
         ]
+        self._by_number(felt, found.others, len(rows))
+
+    def _by_number(
+        self,
+        felt: Mapping[str, Recording],
+        others: Mapping[str, Mapping[int, TrajectoryModels]],
+        first: int,
+    ) -> None:
+        """Rows of the part haptics from number `first`."""
+        numbers = {world: others[world] for world in felt}
+        for number, row in enumerate(
+            haptic_rows.of_numbers(self._settings, numbers), first
+        ):
+            models = numbers[row.world][row.settings.categories]
+            world = touch.worlds(felt[row.world], models)[row.touch]
+            self._results.by_number.append(self._shown(row, number, world=world))
 
     def _rivals(self) -> None:
         size = self._settings

@@ -26,7 +26,8 @@ def tables(results: Results) -> dict[str, pa.Table]:
     """Those of the parts that were made."""
     made = {}
     curves = [*results.learners, *results.population]
-    curves += [*results.worlds, *results.change, *results.touches]
+    curves += [*results.worlds, *results.change]
+    curves += [*results.touches, *results.by_number]
     numbers = [*_measured(curves), *results.formerly_easy]
     numbers += [*results.causal, *results.towards_abstract]
     if numbers:

@@ -16,41 +16,45 @@ from prospect_mj.experiment.development.haptics.grasp import (
     table,
 )
 from prospect_mj.experiment.development.haptics.live import Share
-from prospect_mj.experiment.development.haptics.settings import JARS
+from prospect_mj.experiment.development.haptics.settings import HapticSettings
 from prospect_mj.task.presentation import ORIENTATIONS
 
+JARS = "wide-lid", "narrow-lid"
+EIGHT = HapticSettings(grasped=8)
 
-def keep(folder: Path, per_side: int) -> None:
-    made = grasps(per_side, np.random.default_rng(0))
+
+def keep(folder: Path) -> None:
+    made = grasps(EIGHT.per_side, np.random.default_rng(0))
     for jar in JARS:
         for side in ORIENTATIONS:
-            share = Share(jar, side, per_side, 0)
+            share = Share(jar, side, EIGHT.per_side, EIGHT.seed)
             own = [grasp for grasp in made if grasp.orientation == side]
             content = tables.parquet(table(own), share.digest)
             (folder / share.file).write_bytes(content)
 
 
 def test_kept_grasps_are_read_and_not_made_again(tmp_path: Path):
-    keep(tmp_path, 2)
+    keep(tmp_path)
     lines: list[str] = []
-    found = live.grasps(tmp_path, 2, 0, 1, lines.append)
+    found = live.grasps(tmp_path, JARS, EIGHT, 1, lines.append)
     assert list(found) == list(JARS)
     assert [len(each) for each in found.values()] == [16] * len(JARS)
     assert not lines
 
 
 def test_a_damaged_file_is_told_of_and_left(tmp_path: Path):
-    keep(tmp_path, 2)
+    keep(tmp_path)
     path = tmp_path / Share("wide-lid", "left", 2, 0).file
     content = path.read_bytes()[:-40]
     path.write_bytes(content)
     with pytest.raises(RunFolderError, match="is damaged; move it away"):
-        live.grasps(tmp_path, 2, 0, 1, print)
+        live.grasps(tmp_path, JARS, EIGHT, 1, print)
     assert path.read_bytes() == content
 
 
 def test_no_presentations_are_no_jars(tmp_path: Path):
-    assert live.grasps(tmp_path / "new", 0, 0, 1, print) == {}
+    none = HapticSettings(grasped=0)
+    assert live.grasps(tmp_path / "new", JARS, none, 1, print) == {}
 
 
 def test_a_share_is_known_by_what_decides_it():

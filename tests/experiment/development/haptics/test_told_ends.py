@@ -1,5 +1,7 @@
 """How often the end is told right, on grasps made by hand."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from felt_by_hand import BODY_FEELS, felt, grasps
@@ -73,12 +75,20 @@ def test_intervals_are_of_as_many_grasps_as_presentations(rng):
 
 def test_two_models_are_better_than_one_where_there_are_two_kinds(rng):
     made = grasps(6, rng)
-    found = ends.numbers(
-        "jar", made, 2, lambda k: ClusterSettings(models=k, starts=2), rng
-    ).to_pylist()
+    fits = {n: ends.clustered(made, replace(TWO, models=n), rng) for n in (1, 2)}
+    found = ends.numbers("jar", made, fits, TWO, rng).to_pylist()
     assert [row["models"] for row in found] == [1, 2]
+    assert [row["bic"] for row in found] == [one.bic for one in fits.values()]
     assert found[1]["bic"] < found[0]["bic"]
     assert (found[0]["told"], found[1]["told"]) == (0.5, 1.0)
+
+
+def test_a_number_of_models_with_too_few_grasps_is_left_out(rng):
+    made = grasps(2, rng)
+    fits = dict.fromkeys((4, 5), ends.clustered(made, TWO, rng))
+    found = ends.numbers("jar", made, fits, TWO, rng).to_pylist()
+    # Sixteen grasps, four for each model at least.
+    assert [row["models"] for row in found] == [4]
 
 
 def test_a_jar_of_which_one_end_was_never_held_is_told_of(rng):

@@ -22,6 +22,7 @@ from prospect_mj.experiment.development.study import (
     haptic_rows,
     learners,
     measured,
+    ready,
     study,
 )
 from prospect_mj.experiment.development.study.learning import Laboratory
@@ -230,12 +231,18 @@ def test_what_learners_are_told_of_grasps_is_a_part_like_others(
     tmp_path, worlds, monkeypatch
 ):
     standard, asked = worlds.standard, []
-    recorded = map(study.haptics.recorded, FELT_WORLDS)
-    found = SimpleNamespace(models=dict.fromkeys(recorded), tables={})
+    others = {jar: {2: "two", 3: "three"} for jar in (*FELT_WORLDS, "narrow-lid")}
+    models = dict.fromkeys(FELT_WORLDS, "six")
+    found = SimpleNamespace(models=models, others=others, tables={})
     monkeypatch.setattr(study.haptics, "run", lambda *a: asked.append(a) or found)
     end = np.arange(len(standard.nodes.child)) % 2
     told = {BITS: RecordedWorld(standard), END: RecordedWorld(standard, 2, end)}
-    monkeypatch.setattr(study.touch, "worlds", lambda recording, models: told)
+    of = {
+        "six": told,
+        "two": {CATEGORY: RecordedWorld(standard, 2, end)},
+        "three": {CATEGORY: RecordedWorld(standard, 3, end)},
+    }
+    monkeypatch.setattr(study.touch, "worlds", lambda recording, models: of[models])
     made = opened(tmp_path, worlds, extent=Extent(("haptics",))).results()
     ((folder, felt, haptic, *_),) = asked
     assert folder == tmp_path
@@ -244,9 +251,21 @@ def test_what_learners_are_told_of_grasps_is_a_part_like_others(
     names = [(one.row.world, one.row.name, one.row.touch) for one in made.touches]
     assert names == list(product(FELT_WORLDS, haptic_rows.FEELING, told))
     assert {one.measured.runs for one in made.touches} == {SETTINGS.fewer_runs}
+    numbers = [(one.row.world, one.row.settings.categories) for one in made.by_number]
+    assert numbers == list(product(FELT_WORLDS, (2, 3)))
     rows = tables(made)["measured"].to_pylist()
-    found = {(row["world"], row["name"], row["touch"]) for row in rows}
-    assert found == set(names)
+    told = {BITS: 0, END: 2}
+    expected = {(*name, told[name[-1]]) for name in names}
+    expected |= {(world, "discovery", CATEGORY, number) for world, number in numbers}
+    keys = "world", "name", "touch", "categories"
+    assert {tuple(row[key] for key in keys) for row in rows} == expected
+
+
+def test_recordings_without_grasps_are_told_before_anything_starts(worlds, monkeypatch):
+    asked = []
+    monkeypatch.setattr(ready, "grasps", asked.append)
+    ready.check_ready(SETTINGS, Extent(("learners", "haptics")), worlds)
+    assert asked == [worlds.by_world[world] for world in FELT_WORLDS]
 
 
 def test_rivals_get_the_study_s_sizes(tmp_path, worlds, monkeypatch):

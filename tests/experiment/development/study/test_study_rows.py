@@ -8,6 +8,7 @@ import pytest
 import small_study
 
 from prospect_mj.agent import DiscoverySettings
+from prospect_mj.agent.haptics import n_haptic
 from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.experiment.development.haptics.touch import BITS, CATEGORY, END
 from prospect_mj.experiment.development.study import (
@@ -37,6 +38,7 @@ PARTS = {
         STUDY, {world: {BITS: 0, CATEGORY: 3, END: 2} for world in FELT_WORLDS}
     ),
 }
+BY_NUMBER = haptic_rows.of_numbers(STUDY, dict.fromkeys(FELT_WORLDS, (2, 5)))
 CAUSAL = {row.name: row for row in PARTS["causal"]}
 
 
@@ -163,3 +165,18 @@ def test_who_is_told_nothing_more_of_a_grasp_is_the_learner_of_the_other_parts()
         same = row.settings == others[row.name]
         assert same == (row.touch == BITS)
         assert row.settings.categories == {BITS: 0, CATEGORY: 3, END: 2}[row.touch]
+
+
+def test_numbers_of_models_change_nothing_else():
+    (six,) = (
+        row
+        for row in PARTS["haptics"]
+        if (row.world, row.name, row.touch) == ("standard", "discovery", CATEGORY)
+    )
+    for row in BY_NUMBER:
+        number = row.settings.categories
+        learner = replace(six.settings.learner, n_haptic=n_haptic(number))
+        settings = replace(six.settings, learner=learner, categories=number)
+        assert row == replace(six, settings=settings, world=row.world)
+    titles = {row.title for row in (*PARTS["haptics"], *BY_NUMBER)}
+    assert len(titles) == len(PARTS["haptics"]) + len(BY_NUMBER)
