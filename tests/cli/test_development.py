@@ -58,7 +58,7 @@ def test_it_writes_a_report_and_the_same_again_learns_nothing(
     assert said.err == ""
     # Four learners under two rules, what of them has an abstract task's things, the
     # three learners that see in each world, and the end of both parts.
-    assert len(lines) == 8 + 14 + 3 * len(IMAGE_WORLDS) + 2
+    assert len(lines) == 8 + 15 + 3 * len(IMAGE_WORLDS) + 2
     assert lines[0].startswith("learners: linear, allowed: 3 runs, ")
     report = (tmp_path / "out" / "report.md").read_text()
     assert "## Worlds that look unlike each other" in report
