@@ -52,8 +52,6 @@ class Criterion:
     words: str
     """What is asked, in words."""
     judge: Callable[[Figures], Judged]
-    brief: str = ""
-    """In a cell of a table, where it is one of `LIKE_INFANTS`."""
 
 
 def _measured(name: str, kind: Kind, target: Target) -> Callable[[Figures], Judged]:
@@ -102,34 +100,29 @@ LATE_GONE_FIRST = Criterion(
     "late gone first",
     "late corrections are gone before early ones in 95 % of the resamples",
     _ordered,
-    "first",
 )
 STAGES = (
     Criterion(
         "late corrections prevail",
         "in a block late corrections are more than a half of the difficult trials",
         _measured("late_most", Kind.SHARE, Target(PREVAILING, 1.0)),
-        "prevail",
     ),
     LATE_GONE_FIRST,
     Criterion(
         "corrections dominate",
         "corrections exceed the optimal strategy for fifty trials on end",
         _measured("dominance", Kind.TRIAL, Target(50, inf)),
-        "dominate",
     ),
     Criterion(
         "early corrections lead",
         "for ten trials on end they do so with more early than late ones",
         _measured("early_lead", Kind.TRIAL, Target(10, inf)),
-        "lead",
     ),
     Criterion(
         "optimal in the end",
         "the optimal strategy is more than a half of the difficult ones of the last "
         "hundred trials",
         _measured("optimal_last", Kind.SHARE, Target(PREVAILING, 1.0)),
-        "optimal",
     ),
 )
 """Late, then early, then optimal."""
@@ -140,7 +133,6 @@ LIKE_INFANTS = (
         "easy trials spared",
         "no block has less than 75 % optimal ones among its easy trials",
         _measured("easy_worst", Kind.SHARE, Target(0.75, 1.0)),
-        "spared",
     ),
 )
 """The stages, with the dominant hand kept where it is right."""
@@ -165,13 +157,6 @@ infants' order. To the letter, never and early ones first, they depend on the me
 def develops(figures: Figures) -> Verdict:
     """Whether a population develops as infants do, by all criteria together."""
     return together(LIKE_INFANTS, figures).verdict
-
-
-def missed(figures: Figures) -> list[str]:
-    """Which criteria a population does not meet, `?` where that is undecided."""
-    mark = {Verdict.FAILS: "", Verdict.OPEN: "?"}
-    judged = {one.brief: one.judge(figures).verdict for one in LIKE_INFANTS}
-    return [f"{brief}{mark[one]}" for brief, one in judged.items() if one in mark]
 
 
 def together(criteria: Sequence[Criterion], figures: Figures) -> Judged:

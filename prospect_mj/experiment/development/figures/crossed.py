@@ -6,7 +6,7 @@ from math import isinf, isnan
 import numpy as np
 from matplotlib.axes import Axes
 
-from prospect_mj.experiment.development.claims.criteria import CONFIDENT, develops
+from prospect_mj.experiment.development.claims.criteria import CONFIDENT
 from prospect_mj.experiment.development.figures.grid import Grid, Size, grid, name
 from prospect_mj.experiment.development.figures.intervals import BEYOND
 from prospect_mj.experiment.development.study.measured import Measured
@@ -16,14 +16,12 @@ from prospect_mj.experiment.paper.figures.figure_frame import (
     SMALL,
     VERMILION,
 )
-from prospect_mj.experiment.paper.measures.target import Verdict
 from prospect_mj.experiment.run.plots import png
 
-_KINDS = {"late_gone": (VERMILION, -0.1), "early_gone": (GREEN, 0.1)}
-"""Colour, and how far beside the middle, so that none hides the other [columns]."""
+_KINDS = {"late_gone": VERMILION, "early_gone": GREEN}
 _LEAD = "#d9e8d9"
 _WIDTH = 0.5
-_TOP = BEYOND + 160
+_TOP = BEYOND + 130
 """Of a panel [trials], with room for words."""
 
 Find = Callable[[str, str, float], Measured]
@@ -58,7 +56,6 @@ def crossed(
         found = [find(lines[row], columns[column], rate) for rate in rates]
         _draw(axes, found)
         axes.set_ylim(0, _TOP)
-        axes.set_yticks(range(0, _TOP, 200))
         axes.set_xlim(-0.5, len(rates) - 0.5)
         axes.set_xticks(range(len(rates)), [f"{rate:g}" for rate in rates])
     _label(made)
@@ -69,23 +66,20 @@ def _draw(axes: Axes, rows: Sequence[Measured]) -> None:
     for place, one in enumerate(rows):
         lead = one.measured["early_lead"].estimate
         axes.bar(place, lead, width=_WIDTH, color=_LEAD, zorder=0)
-        for measure, (colour, shift) in _KINDS.items():
-            found, beside = one.measured[measure], place + shift
+        for measure, colour in _KINDS.items():
+            found = one.measured[measure]
             if isnan(found.estimate):
                 continue
             low, value, high = (
                 min(part, BEYOND) if not isnan(part) else found.estimate
                 for part in (found.low, found.estimate, found.high)
             )
-            axes.plot([beside, beside], [low, high], color=colour, linewidth=1.4)
+            axes.plot([place, place], [low, high], color=colour, linewidth=1.4)
             marker = "^" if isinf(found.estimate) else "o"
-            axes.plot(beside, value, marker, color=colour, markersize=4.5)
-        like = develops(one) is Verdict.HOLDS
-        if like or one.order >= CONFIDENT:
+            axes.plot(place, value, marker, color=colour, markersize=4.5)
+        if one.order >= CONFIDENT:
             style = {"ha": "center", "va": "top", "fontsize": SMALL - 1, "color": INK}
-            style |= {"fontweight": "bold"} if like else {}
-            words = "as\ninfants" if like else "late first"
-            axes.annotate(words, (place, _TOP - 10), **style)
+            axes.annotate("late first", (place, _TOP - 10), **style)
 
 
 def _label(made: Grid) -> None:

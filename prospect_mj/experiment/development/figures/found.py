@@ -5,8 +5,6 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import MultipleLocator
-from numpy.typing import NDArray
 
 from prospect_mj.agent.features import N_BINS
 from prospect_mj.experiment.development.figures.grid import name, tidy
@@ -33,9 +31,8 @@ _SHOWN = ("insertion", "grasp")
 """Contexts of the discovery learner that are drawn."""
 _OF = """\
 lines: mean histograms with the lid on the left (blue), on the right (vermilion); bars:
-what each grey level says to a learner, in the same colours, the most half as high as
-the panel; below: features of one run of the discovery learner, dashed what is taken
-off; right: the pixels of these levels"""
+what each grey level says to a learner, in the same colours; below: features of one run
+of the discovery learner, dashed what is taken off; right: the pixels of these levels"""
 
 
 def found(what: Discovered, pictures: Sequence[JarPicture]) -> bytes:
@@ -49,9 +46,9 @@ def found(what: Discovered, pictures: Sequence[JarPicture]) -> bytes:
         The picture as PNG.
     """
     says = [one for one in what.says if one.context in _SHOWN or _is_weighed(one)]
-    figure = Figure(figsize=(9.0, 1.1 + 1.9 * len(says)), dpi=150, layout="constrained")
+    figure = Figure(figsize=(9.0, 1.0 + 1.9 * len(says)), dpi=150, layout="constrained")
     height = figure.get_figheight()
-    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - 1.05 / height))
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - 0.95 / height))
     style = {"ha": "left", "va": "top"}
     title = {"fontsize": 12, "fontweight": "bold"}
     figure.text(0.01, 1 - 0.06 / height, "What the learners go by", **style, **title)
@@ -59,12 +56,11 @@ def found(what: Discovered, pictures: Sequence[JarPicture]) -> bytes:
     figure.text(0.01, 1 - 0.32 / height, _OF, **style, **line)
     ratios = [2.4, *(1 for _ in pictures)]
     axes = figure.subplots(len(says), len(ratios), squeeze=False, width_ratios=ratios)
-    largest = np.max([one.image.shape[:2] for one in pictures], axis=0, initial=0)
     for row, one in zip(axes, says, strict=True):
         ranges = [r for r in what.example if r.context == one.context]
         _draw_levels(row[0], what, one, [] if _is_weighed(one) else ranges)
         for panel, picture in zip(row[1:], pictures, strict=True):
-            _draw_jar(panel, picture, one.levels, largest)
+            _draw_jar(panel, picture, one.levels)
     axes[-1, 0].set_xlabel("grey level, from dark to bright")
     for panel, picture in zip(axes[0, 1:], pictures, strict=True):
         name(panel, f"lid {picture.orientation}")
@@ -112,9 +108,8 @@ def _draw_levels(
         _draw_range(axes, each, -0.06 * highest * (row + 1), what)
     axes.set_xlim(-0.5, N_BINS - 0.5)
     axes.set_ylim(-0.06 * highest * (len(ranges) + 0.8), highest)
-    axes.yaxis.set_major_locator(MultipleLocator(0.1))
-    axes.set_ylabel("scaled count", fontsize=SMALL)
-    axes.spines["left"].set_bounds(0, highest)
+    axes.set_yticks([])
+    axes.spines["left"].set_visible(False)
 
 
 def _draw_range(axes: Axes, one: Range, height: float, what: Discovered) -> None:
@@ -134,14 +129,6 @@ def _draw_range(axes: Axes, one: Range, height: float, what: Discovered) -> None
             axes.plot(ends, [height] * 2, color=colour, linewidth=3, linestyle=style)
 
 
-def _draw_jar(
-    axes: Axes, picture: JarPicture, levels: Floats, largest: NDArray[np.int64]
-) -> None:
-    """The jar in the middle of as many rows and columns as the largest picture has."""
-    rows, columns = picture.image.shape[:2]
-    down, right = (largest - (rows, columns)) / 2
-    extent = (right, right + columns, down + rows, down)
-    axes.imshow(marked(picture, levels), interpolation="nearest", extent=extent)
-    axes.set_xlim(0, largest[1])
-    axes.set_ylim(largest[0], 0)
+def _draw_jar(axes: Axes, picture: JarPicture, levels: Floats) -> None:
+    axes.imshow(marked(picture, levels), interpolation="nearest")
     axes.set_axis_off()

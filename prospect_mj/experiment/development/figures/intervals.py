@@ -1,6 +1,6 @@
 """Measures of many rows as dots with their intervals."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from math import isinf, isnan
 from typing import NamedTuple
 
@@ -77,7 +77,6 @@ def intervals(
     of: str,
     rows: Mapping[str, Mapping[str, Interval]],
     columns: Sequence[Column] = (GONE_COLUMN, STRETCHES, EASY),
-    bold: Collection[str] = (),
 ) -> bytes:
     """Draw measures of some rows.
 
@@ -86,7 +85,6 @@ def intervals(
         of: what it shows.
         rows: measures by name, of each row from above.
         columns: what is drawn of them.
-        bold: names of rows that are marked.
 
     Returns:
         The picture as PNG.
@@ -104,8 +102,6 @@ def intervals(
         axes.grid(visible=True, axis="x", color="#ededed")
     axes = made.axes[0, 0]
     axes.set_yticks(range(len(rows)), list(rows), fontsize=SMALL)
-    for label in axes.get_yticklabels():
-        label.set_fontweight("bold" if label.get_text() in bold else "normal")
     axes.set_ylim(len(rows) - 0.5, -0.5)
     return png(made.figure)
 

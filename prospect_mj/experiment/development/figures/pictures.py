@@ -6,7 +6,6 @@ from textwrap import wrap
 
 from prospect_mj.agent.failed_actions import RULES, FailedActions
 from prospect_mj.agent.learners import DEFAULTS
-from prospect_mj.experiment.development.claims.criteria import develops
 from prospect_mj.experiment.development.figures import (
     crossed,
     found,
@@ -24,7 +23,6 @@ from prospect_mj.experiment.development.study.learners import SHOWN
 from prospect_mj.experiment.development.study.measured import Measured
 from prospect_mj.experiment.development.study.pictures import jar_pictures
 from prospect_mj.experiment.development.study.results import Results
-from prospect_mj.experiment.paper.measures.target import Verdict
 from prospect_mj.recording.recording import Recording
 
 _BANDS = "share of each strategy in sets of ten trials; shade: 95 % band over runs"
@@ -33,7 +31,7 @@ _NO_DOT = "no dot: never above 10 % of the difficult trials"
 _OF_CROSSED = (
     "trials until late (vermilion) and early corrections (green) are gone, triangle: "
     f"never;\n{_NO_DOT}; bars: for how long early ones lead;\nlate first: in 95 % of "
-    "the resamples; as infants: by all criteria together"
+    "the resamples"
 )
 _NARROW = 20
 """Width of a column with single runs [characters]."""
@@ -93,10 +91,9 @@ def _causal(results: Results) -> Iterator[tuple[str, bytes]]:
     }
     of = (
         "the discovery learner with one thing changed; dots: all runs, lines: 95 %\n"
-        f"{_NO_DOT}; bold: as infants, by all criteria together"
+        + _NO_DOT
     )
-    like = [name for name in singles if develops(rows[name]) is Verdict.HOLDS]
-    yield "causal", intervals.intervals("What makes the order", of, singles, bold=like)
+    yield "causal", intervals.intervals("What makes the order", of, singles)
     yield "causal_splits", _splits(rows)
     yield "causal_labels", _labels(rows)
 

@@ -12,7 +12,6 @@ from study_by_hand import EXTENT, results
 
 from prospect_mj.agent.features import N_BINS
 from prospect_mj.experiment.development.figures import (
-    crossed,
     found,
     intervals,
     pictures,
@@ -26,13 +25,12 @@ from prospect_mj.experiment.development.study.pictures import NO_JAR, JarPicture
 from prospect_mj.experiment.development.study.settings import Extent
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
 
-RED, GREEN = "#d55e00", "#009e73"
 NAMES = {
     "learners": ("strategies", "sequences"),
     "causal": ("causal", "causal_splits", "causal_labels"),
     "population": ("population",),
     "worlds": ("worlds",),
-    "change": ("change_allowed", "change_suppressed"),
+    "change": ("change",),
     "found": ("found",),
     "haptics": (
         "haptics_portraits",
@@ -158,26 +156,6 @@ def test_dots_stand_where_their_numbers_are():
     # The key below the axis moves the median a little.
     assert steps[0] == pytest.approx(steps[1], abs=15)
     assert steps[2] == pytest.approx(3 * steps[0], rel=0.1)
-
-
-def test_marked_rows_are_bold():
-    rows = {name: {"late_gone": Interval(100, 90, 110)} for name in ("one", "other")}
-    column = intervals.Column("title", (intervals.Dots("late_gone", "", RED),), 680)
-    plain, marked = (
-        decoded(intervals.intervals("Title", "of", rows, (column,), bold=bold))
-        for bold in ((), ("one",))
-    )
-    assert (marked.min(axis=-1) < 128).sum() > (plain.min(axis=-1) < 128).sum()
-
-
-def test_no_dot_of_a_crossed_table_hides_the_other():
-    both = {"late_gone": Interval(50, 50, 50), "early_gone": Interval(50, 50, 50)}
-    row = results(Extent(("causal",))).causal[0]
-    row = row._replace(measured={**row.measured, **both})
-    panel = ["line"], ["column"], [0.1, 0.2]
-    png = crossed.crossed("Title", "of", *panel, lambda *names: row)
-    late, early = (where(decoded(png), colour) for colour in (RED, GREEN))
-    assert len(late) == pytest.approx(len(early), rel=0.2)
 
 
 def test_never_is_at_the_end_and_nothing_is_nowhere():
