@@ -1,11 +1,11 @@
 """Measures of many rows as dots with their intervals."""
 
 from collections.abc import Mapping, Sequence
-from math import isinf, isnan
 from typing import NamedTuple
 
 from matplotlib.axes import Axes
 
+from prospect_mj.experiment.development.figures.dots import BEYOND, Look, asides, dot
 from prospect_mj.experiment.development.figures.grid import GREY, Size, grid, name
 from prospect_mj.experiment.paper.figures.figure_frame import (
     BLUE,
@@ -17,12 +17,11 @@ from prospect_mj.experiment.paper.figures.figure_frame import (
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
 from prospect_mj.experiment.run.plots import png
 
-BEYOND = 660
-"""Where what is never gone is drawn [trials]; six hundred follow the pretraining."""
-
 _ROW = 0.21
 """Height of a row [inches]."""
 _HEAD = 1.5
+_WIDTH, _WORDS = 9.0, 1.5
+"""Of all panels, and of words beside them [inches]."""
 
 
 class Dots(NamedTuple):
@@ -66,10 +65,12 @@ EASY = Column(
     100,
     per_cent=True,
 )
+AS_INFANTS = "as infants"
+"""What is written where all criteria hold."""
+_ASIDE = 9
+"""Of words beside panels [points]."""
 _END = 630
 """Where the trials end in the drawing."""
-_APART = 0.16
-"""Between the dots of a row [rows]."""
 
 
 def intervals(
@@ -77,6 +78,7 @@ def intervals(
     of: str,
     rows: Mapping[str, Mapping[str, Interval]],
     columns: Sequence[Column] = (GONE_COLUMN, STRETCHES, EASY),
+    unmet: Sequence[Sequence[str]] = (),
 ) -> bytes:
     """Draw measures of some rows.
 
@@ -85,43 +87,48 @@ def intervals(
         of: what it shows.
         rows: measures by name, of each row from above.
         columns: what is drawn of them.
+        unmet: criteria that each row does not meet, if that is written beside it.
 
     Returns:
         The picture as PNG.
     """
-    size = Size(1, len(columns), 9.0, _HEAD + _ROW * len(rows))
+    width = _WIDTH + (_WORDS if unmet else 0.0)
+    size = Size(1, len(columns), width, _HEAD + _ROW * len(rows))
     made = grid(title, of, size, sharex=False)
     for axes, column in zip(made.axes[0], columns, strict=True):
         name(axes, column.title)
         axes.set_xlim(-0.02 * column.most, column.most)
-        for number, dots in enumerate(column.dots):
-            shift = _APART * (number - (len(column.dots) - 1) / 2)
-            for row, measured in enumerate(rows.values()):
-                _dot(axes, measured[dots.measure], row + shift, dots, column)
+        _draw(axes, column, list(rows.values()))
         _key(axes, column)
         axes.grid(visible=True, axis="x", color="#ededed")
     axes = made.axes[0, 0]
     axes.set_yticks(range(len(rows)), list(rows), fontsize=SMALL)
     axes.set_ylim(len(rows) - 0.5, -0.5)
+    if unmet:
+        _write(made.axes[0, -1], unmet)
     return png(made.figure)
 
 
-def _dot(
-    axes: Axes, found: Interval, height: float, dots: Dots, column: Column
-) -> None:
-    """A dot and its interval; an arrow for what is never gone."""
-    if isnan(found.estimate):
-        return
+def _draw(axes: Axes, column: Column, rows: Sequence[Mapping[str, Interval]]) -> None:
+    """The dots of a column; in each row the first one is above."""
     scale = 100.0 if column.per_cent else 1.0
-    low, value, high = (
-        min(scale * one, BEYOND) if not isnan(one) else scale * found.estimate
-        for one in (found.low, found.estimate, found.high)
-    )
-    axes.plot(
-        [low, high], [height, height], color=dots.colour, linewidth=1.6, alpha=0.6
-    )
-    marker = ">" if isinf(found.estimate) else "o"
-    axes.plot(value, height, marker=marker, color=dots.colour, markersize=3.6)
+    for dots, aside in zip(column.dots, asides(len(column.dots))[::-1], strict=True):
+        look = Look(dots.colour, aside, scale=scale)
+        for row, measured in enumerate(rows):
+            dot(axes, measured[dots.measure], row, look)
+
+
+def _write(axes: Axes, unmet: Sequence[Sequence[str]]) -> None:
+    """Write beside each row which criteria it does not meet."""
+    beside = {"textcoords": "offset points", "annotation_clip": False}
+    style = {"fontsize": SMALL - 1, "color": INK, **beside}
+    head = {**style, "fontsize": SMALL + 1, "xycoords": "axes fraction"}
+    axes.annotate("not met", (1, 1), (_ASIDE, 4), **head)
+    for row, words in enumerate(unmet):
+        weight = "normal" if words else "bold"
+        place = {"xycoords": ("axes fraction", "data"), "va": "center"}
+        said = ", ".join(words) or AS_INFANTS
+        axes.annotate(said, (1, row), (_ASIDE, 0), weight=weight, **place, **style)
 
 
 def _key(axes: Axes, column: Column) -> None:

@@ -1,11 +1,12 @@
 """Which figures the study has, by the name of their file."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from textwrap import wrap
 
 from prospect_mj.agent.failed_actions import RULES, FailedActions
 from prospect_mj.agent.learners import DEFAULTS
+from prospect_mj.experiment.development.claims.unmet import unmet
 from prospect_mj.experiment.development.figures import (
     crossed,
     found,
@@ -28,10 +29,11 @@ from prospect_mj.recording.recording import Recording
 _BANDS = "share of each strategy in sets of ten trials; shade: 95 % band over runs"
 _DOTTED = "dotted: optimal ones of the easy trials"
 _NO_DOT = "no dot: never above 10 % of the difficult trials"
+_UNMET = "criteria that are not met, or are undecided (?)"
 _OF_CROSSED = (
     "trials until late (vermilion) and early corrections (green) are gone, triangle: "
-    f"never;\n{_NO_DOT}; bars: for how long early ones lead;\nlate first: in 95 % of "
-    "the resamples"
+    f"never; {_NO_DOT};\nbars: for how long early ones lead; blue: optimal ones in the "
+    f"worst block of easy trials;\nbelow these: {_UNMET}"
 )
 _NARROW = 20
 """Width of a column with single runs [characters]."""
@@ -86,16 +88,23 @@ def _wrapped(name: str) -> str:
 
 def _causal(results: Results) -> Iterator[tuple[str, bytes]]:
     rows = {one.row.name: one for one in results.causal}
-    singles = {
-        one.name: rows[one.name].measured for one in causal.single(results.settings)
-    }
-    of = (
-        "the discovery learner with one thing changed; dots: all runs, lines: 95 %\n"
-        + _NO_DOT
+    yield (
+        "causal",
+        _singles([rows[one.name] for one in causal.single(results.settings)]),
     )
-    yield "causal", intervals.intervals("What makes the order", of, singles)
     yield "causal_splits", _splits(rows)
     yield "causal_labels", _labels(rows)
+
+
+def _singles(rows: Sequence[Measured]) -> bytes:
+    of = (
+        "the discovery learner with one thing changed; dots: all runs, lines: 95 %\n"
+        f"{_NO_DOT}; right: {_UNMET}"
+    )
+    measured = {one.row.name: one.measured for one in rows}
+    return intervals.intervals(
+        "What makes the order", of, measured, unmet=list(map(unmet, rows))
+    )
 
 
 def _splits(rows: Mapping[str, Measured]) -> bytes:

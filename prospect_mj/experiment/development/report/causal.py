@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import product
 
-from prospect_mj.experiment.development.claims.criteria import develops
+from prospect_mj.experiment.development.claims.unmet import EXPLAINED, unmet
 from prospect_mj.experiment.development.measures.measures import (
     dominance,
     early_gone,
@@ -33,7 +33,6 @@ from prospect_mj.experiment.development.study.measured import (
 )
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.experiment.paper.measures.quantity import Kind, number, with_interval
-from prospect_mj.experiment.paper.measures.target import Verdict
 from prospect_mj.experiment.paper.report.markdown import table
 
 _MEASURES = (
@@ -55,9 +54,16 @@ is first split by a feature, the median over runs (*never*: not in half of them)
 
 _CROSSED = """\
 Each cell: trials until late, until early corrections are gone; the share of the
-resamples in which the late ones are first; and for how many trials on end corrections
-exceed the optimal strategy with more early than late ones. **Bold**: as infants, by all
-criteria together. Intervals are in [measured.parquet](tables/measured.parquet).
+resamples in which the late ones are first; for how many trials on end corrections
+exceed the optimal strategy with more early than late ones; and the worst block of easy
+trials. **Bold**: as infants, by all criteria together; else *what is not met*, with a
+question mark where it is undecided. Intervals are in
+[measured.parquet](tables/measured.parquet).
+"""
+
+_UNMET = f"""\
+*Not met*: which of the criteria for a development as in infants fail, or with a
+question mark are undecided; none: as infants. {EXPLAINED}.
 """
 
 _FORCED = """\
@@ -85,6 +91,7 @@ def causal(results: Results) -> Iterator[str]:
     yield "### One thing changed"
     yield _SINGLE.rstrip()
     yield _one_by_one([rows[one.name] for one in single(results.settings)])
+    yield _UNMET.rstrip()
     yield "### Order of the splits, re-estimation and inertia"
     yield _FORCED.format(soon=soon, later=later).rstrip()
     yield _CROSSED.rstrip()
@@ -110,13 +117,13 @@ def causal(results: Results) -> Iterator[str]:
 def _one_by_one(rows: Iterable[Measured]) -> str:
     titles = (one.title for one in _MEASURES)
     head = ("", "insertion split", "grasp split", *titles, ORDER_TITLE)
-    return table((*head, "as infants"), map(_cells, rows))
+    return table((*head, "not met"), map(_cells, rows))
 
 
 def _cells(one: Measured) -> tuple[str, ...]:
     splits = (with_interval(one.measured[n], Kind.TRIAL) for n in (INSERTION, GRASP))
     numbers = (with_interval(one.measured[m.name], m.kind) for m in _MEASURES)
-    return one.row.name, *splits, *numbers, order(one.order), develops(one)
+    return one.row.name, *splits, *numbers, order(one.order), _lacking(one)
 
 
 def _crossed(
@@ -134,9 +141,14 @@ def _crossed(
 
 def _brief(one: Measured) -> str:
     found: Mapping[str, float] = {n: i.estimate for n, i in one.measured.items()}
-    late, early, lead = (
+    late, early, lead, easy = (
         number(found[measure.name], measure.kind)
-        for measure in (late_gone, early_gone, early_lead)
+        for measure in (late_gone, early_gone, early_lead, easy_worst)
     )
-    words = f"{late}, {early}; {order(one.order)}; {lead}"
-    return f"**{words}**" if develops(one) is Verdict.HOLDS else words
+    words = f"{late}, {early}; {order(one.order)}; {lead}; {easy}"
+    lacking = unmet(one)
+    return f"{words}<br>*{', '.join(lacking)}*" if lacking else f"**{words}**"
+
+
+def _lacking(one: Measured) -> str:
+    return ", ".join(unmet(one)) or "none"

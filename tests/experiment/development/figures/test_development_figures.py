@@ -30,7 +30,7 @@ NAMES = {
     "causal": ("causal", "causal_splits", "causal_labels"),
     "population": ("population",),
     "worlds": ("worlds",),
-    "change": ("change",),
+    "change": ("change_allowed", "change_suppressed"),
     "found": ("found",),
     "haptics": (
         "haptics_portraits",
@@ -51,9 +51,9 @@ def where(image, colour):
     return np.nonzero(np.abs(image - rgb).max(axis=-1) <= 3)[1]
 
 
-def jar(orientation):
+def jar(orientation, rows=12):
     """A jar whose columns are levels 0 to 99, with nothing round it."""
-    level = np.full((12, N_BINS + 2), NO_JAR)
+    level = np.full((rows, N_BINS + 2), NO_JAR)
     level[1:-1, 1:-1] = np.arange(N_BINS)
     return JarPicture(orientation, np.full((*level.shape, 3), 100, np.uint8), level)
 
@@ -181,3 +181,46 @@ def test_only_pixels_of_levels_that_say_something_are_marked():
 def test_nothing_is_marked_where_nothing_is_said():
     image = found.marked(jar("right"), np.zeros(N_BINS))
     assert (image == image.min(axis=-1, keepdims=True)).all()
+
+
+def test_a_picture_stands_in_the_middle_of_a_larger_one():
+    image = np.full((2, 3, 3), 7, np.uint8)
+    shown = found.amid(image, np.array([4, 3]))
+    assert shown.shape == (4, 3, 3)
+    assert (shown[1:3] == image).all()
+    assert len(np.unique(shown[[0, 3]])) == 1
+    assert (found.amid(image, np.array([2, 3])) == image).all()
+
+
+def drawn_panels(monkeypatch, *jars):
+    """Panels of what was found, laid out."""
+    figures = []
+    monkeypatch.setattr(found, "png", lambda figure: figures.append(figure) or b"")
+    found.found(study_by_hand.found(), jars)
+    (figure,) = figures
+    figure.draw_without_rendering()
+    return figure.axes
+
+
+def test_pictures_of_both_orientations_are_of_one_height_at_one_level(monkeypatch):
+    axes = drawn_panels(monkeypatch, jar("left", 60), jar("right", 12))
+    places = [one.get_window_extent() for one in axes if one.images]
+    assert len(places) == 8
+    for left, right in zip(places[::2], places[1::2], strict=True):
+        assert (left.y0, left.y1) == pytest.approx((right.y0, right.y1), abs=1.0)
+
+
+def test_scales_reach_to_what_is_drawn_and_start_at_nothing(monkeypatch):
+    axes = drawn_panels(monkeypatch, jar("left"), jar("right"))
+    under, over = (
+        [one for one in axes if one.get_ylabel() == label]
+        for label in ("histogram [1]", "says [1]")
+    )
+    assert len(under) == len(over) == 4
+    for one in (*under, *over):
+        ticks = one.get_yticks()
+        assert ticks[0] == 0.0
+        assert one.get_ylim()[0] <= 0.0 < ticks[-1] <= one.get_ylim()[1]
+    for pair in zip(under, over, strict=True):
+        nothing = [np.interp(0.0, one.get_ylim(), (0, 1)) for one in pair]
+        assert nothing[0] == pytest.approx(nothing[1])

@@ -175,6 +175,27 @@ def test_every_causal_row_is_in_a_table(whole):
     assert found == kept * (per_values + labelled)
 
 
+def test_a_crossed_cell_names_what_is_not_met(whole):
+    section = whole.partition("### Order of the splits")[2].partition("\n### ")[0]
+    kept, inherited = (
+        lines_of(section, f"| insertion first | {values} |")[0].split(" | ")[2]
+        for values in ("examples", "inherit")
+    )
+    # As made by hand: late 60, early 140; late ones only, until 100.
+    assert kept == "**60, 140; 100.0 %; 80; 100.0 %**"
+    assert inherited == "100, none; 0.0 %; 0; 100.0 %<br>*order, early lead*"
+
+
+def test_rows_of_the_causal_table_name_what_is_not_met(whole):
+    section = whole.partition("### One thing changed")[2].partition("\n### ")[0]
+    for name, words in (
+        (causal.BASE, "none"),
+        ("values inherited", "order, early lead"),
+    ):
+        assert lines_of(section, f"| {name} |")[0].endswith(f"| {words} |")
+    assert "*early lead*: early corrections lead" in section
+
+
 YES, NO, OPEN = "**Yes**", "**No**", "**Undecided with so many runs**"
 
 
