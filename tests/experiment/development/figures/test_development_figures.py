@@ -1,6 +1,8 @@
 """Figures of the study, looked at as pictures: what is drawn is where it belongs."""
 
+import re
 from math import inf, nan
+from pathlib import Path
 
 import cv2
 import numpy as np
@@ -76,6 +78,19 @@ def drawn():
 def test_every_part_has_its_figures(drawn):
     parts = [part for part in EXTENT.parts if part != "change"]
     assert list(drawn) == [name for part in parts for name in NAMES[part]]
+
+
+def test_contributors_are_told_of_every_figure_and_its_part():
+    text = Path(__file__).parents[4].joinpath("CONTRIBUTING.md").read_text("utf-8")
+    lines = text.partition("| in `figures` |")[2].partition("\n\n")[0].splitlines()[2:]
+    cells = [line.split("|") for line in lines]
+    told = {
+        (of.strip(" `"), name)
+        for _, names, _, of, _ in cells
+        for name in re.findall(r"`(\S+)\.png`", names)
+    }
+    made = {(part, name) for part, names in NAMES.items() for name in names}
+    assert told == made | {("rivals", "rivals")}
 
 
 def test_a_part_alone_is_drawn_alone():
