@@ -76,6 +76,8 @@ def shown(row, kind, measures=measured.MEASURES):
     """A row that did so, with fewer numbers."""
     development = Development(*findings(kind).development)
     numbers = {one.name: one.estimate(development) for one in measures}
+    if row.then is None:
+        numbers |= measured.single_runs(findings(kind).sequences, RUNS)
     return MeasuredCurves(
         Measured(row, RUNS, numbers, findings(kind).order), development
     )
@@ -84,7 +86,7 @@ def shown(row, kind, measures=measured.MEASURES):
 def causal_row(row):
     """A row that does as infants do unless its values are inherited."""
     kind = "late" if row.settings.learner.revalue == "inherit" else "infant"
-    numbers = dict(findings(kind).measured)
+    numbers = dict(shown(row, kind).measured.measured)
     splits = {
         name: Interval(66, 60, 70, 0) for name in (measured.INSERTION, measured.GRASP)
     }

@@ -19,6 +19,7 @@ from prospect_mj.experiment.development.claims.criteria import (
 from prospect_mj.experiment.development.claims.findings import Findings
 from prospect_mj.experiment.development.claims.single_runs import (
     ABRUPTLY,
+    EACH_LATE_ALONE,
     LATE_ALONE,
     LATE_FIRST,
     change_words,
@@ -126,6 +127,10 @@ _OF_SINGLE_RUNS = (
         "Before the mixture of late and early corrections there is a phase of late "
         "ones alone.",
     ),
+    (
+        EACH_LATE_ALONE,
+        "Nearly every single learner has that phase of late corrections alone.",
+    ),
 )
 """Each with the words of the claim."""
 
@@ -166,7 +171,9 @@ def between_learners(
     found = {name: _between(one, equal.get(name)) for name, one in populations.items()}
     its = found.pop(CONJECTURED.learner)
     also = [name for name, verdict in found.items() if verdict is Verdict.HOLDS]
-    evidence = change_words(populations[CONJECTURED.learner].changes)
+    alone = EACH_LATE_ALONE.judge(populations[CONJECTURED.learner]).words
+    evidence = f"late ones alone at first, {alone}; "
+    evidence += change_words(populations[CONJECTURED.learner].changes)
     if same := equal.get(CONJECTURED.learner):
         common = with_interval(same.changes.common, Kind.RATIO)
         evidence += f", {common} of equal learners"
@@ -174,7 +181,8 @@ def between_learners(
         evidence += _others(also, len(found))
     return Claim(
         "Where learners differ, late and early corrections are mixed in their mean, "
-        "more than where they are equal, and not within a learner.",
+        "more than where they are equal, and not within a learner, each of which has a "
+        "phase of late ones alone before.",
         its,
         evidence,
         f"{CONJECTURED.learner}, unlike learners",
@@ -183,14 +191,16 @@ def between_learners(
 
 
 def _between(findings: Findings, equal: Findings | None) -> Verdict:
-    said = [ABRUPTLY.judge(findings).verdict, mixed_in_mean(findings)]
+    asked_of_each = ABRUPTLY, EACH_LATE_ALONE
+    said = [one.judge(findings).verdict for one in asked_of_each]
+    said.append(mixed_in_mean(findings))
     if equal is not None:
         said.append(more_mixed(findings, equal))
     return all_of(said)
 
 
 BETWEEN = "between learners"
-RESTS_ON = LATE_ALONE.name, ABRUPTLY.name, BETWEEN
+RESTS_ON = EACH_LATE_ALONE.name, ABRUPTLY.name, BETWEEN
 """Names of the claims that the prediction comes from."""
 PREDICTION = (
     "A longitudinal study that films the same children every few days, in place of "

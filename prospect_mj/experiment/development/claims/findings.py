@@ -12,6 +12,7 @@ from prospect_mj.experiment.development.measures.development import Development
 from prospect_mj.experiment.development.measures.measures import MEASURES, order
 from prospect_mj.experiment.development.measures.sequences import (
     SequenceShare,
+    late_alone,
     late_before_early,
     sequences,
 )
@@ -34,6 +35,8 @@ class Findings:
     """Strategies that prevail in single runs, the most frequent sequence first."""
     late_first: Estimate
     """Share of the runs whose median late correction is before the median early one."""
+    late_alone: Estimate
+    """Share of the runs that have a phase of late corrections alone."""
     changes: Changes
     """From late to early corrections, run by run."""
     ages: tuple[AgeFound, ...]
@@ -59,6 +62,7 @@ class Findings:
             order(development),
             tuple(sequences(population)),
             late_before_early(population),
+            late_alone(population),
             Changes.of(population, rng, n),
             tuple(ages(development)),
             in_order(development),

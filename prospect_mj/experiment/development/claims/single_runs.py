@@ -14,6 +14,8 @@ from prospect_mj.experiment.paper.measures.quantity import Kind, with_interval
 from prospect_mj.experiment.paper.measures.target import Target, Verdict
 from prospect_mj.experiment.populations.strategies import Strategy
 
+NEARLY_ALL = 0.9
+"""Share of the runs [1]."""
 PRACTISED = Strategy.LATE, Strategy.EARLY, Strategy.OPTIMAL
 """In the order of infants."""
 
@@ -35,6 +37,13 @@ def _late_alone(findings: Findings) -> Judged:
     found = late_alone.estimate(findings.development)
     words = f"{with_interval(found, Kind.TRIAL)} trials"
     return Judged(Target(10, inf).verdict(found), words)
+
+
+def _each_late_alone(findings: Findings) -> Judged:
+    found = findings.late_alone
+    of_runs = Interval(found.estimate, found.low, found.high)
+    words = f"{found.words(0, 100)} % of the runs"
+    return Judged(Target(NEARLY_ALL, 1.0).verdict(of_runs), words)
 
 
 def _abrupt(findings: Findings) -> Judged:
@@ -66,13 +75,20 @@ LATE_ALONE = Criterion(
     "early ones first are more than 10 %",
     _late_alone,
 )
+EACH_LATE_ALONE = Criterion(
+    "late alone first, run by run",
+    f"{100 * NEARLY_ALL:.0f} % of the runs have ten difficult trials of which more "
+    "than a half are corrected late, before the first ten with more than one early "
+    "correction",
+    _each_late_alone,
+)
 ABRUPTLY = Criterion(
     "abrupt, run by run",
     f"a run has at most {ABRUPT} corrections, in the mean, on the wrong side of its "
     "own change from late to early ones, as if that took ten difficult trials",
     _abrupt,
 )
-OF_SINGLE_RUNS = (LATE_FIRST, ABRUPTLY, LATE_ALONE)
+OF_SINGLE_RUNS = (LATE_FIRST, ABRUPTLY, LATE_ALONE, EACH_LATE_ALONE)
 """What is asked beside the criteria."""
 
 

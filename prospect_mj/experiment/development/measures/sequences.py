@@ -1,7 +1,9 @@
 """What single runs do: the strategies that prevail one after the other."""
 
 from collections import Counter
+from collections.abc import Iterable, Mapping
 from itertools import groupby
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -16,6 +18,21 @@ WINDOW = 10
 
 Sequence = tuple[Strategy, ...]
 """Strategies that prevail one after the other, each other than the one before."""
+
+NAMED: Mapping[str, Sequence] = MappingProxyType(
+    {
+        "other_optimal": (Strategy.OTHER, Strategy.OPTIMAL),
+        "other_early_optimal": (Strategy.OTHER, Strategy.EARLY, Strategy.OPTIMAL),
+        "late_early_optimal": (Strategy.LATE, Strategy.EARLY, Strategy.OPTIMAL),
+        "other_late_early_optimal": (
+            Strategy.OTHER,
+            Strategy.LATE,
+            Strategy.EARLY,
+            Strategy.OPTIMAL,
+        ),
+    }
+)
+"""Those that learners of the abstract task went through; each is a number of a row."""
 
 
 class SequenceShare(NamedTuple):
@@ -63,6 +80,24 @@ def sequences(population: Population) -> list[SequenceShare]:
     return [SequenceShare(found, share(n, len(runs))) for found, n in ranked]
 
 
+def words(sequence: Sequence) -> str:
+    """A sequence of strategies, such as `late, early, optimal`."""
+    return ", ".join(strategy.name.lower() for strategy in sequence) or "none"
+
+
+def named(found: Iterable[SequenceShare], runs: int) -> dict[str, Estimate]:
+    """The shares of the sequences that have a name.
+
+    Args:
+        found: all that occur.
+        runs: their number.
+    """
+    shares = {one.sequence: one.share for one in found}
+    return {
+        name: shares.get(sequence, share(0, runs)) for name, sequence in NAMED.items()
+    }
+
+
 def late_before_early(population: Population) -> Estimate:
     """Share of the runs whose median late correction comes before the median early one.
 
@@ -70,6 +105,26 @@ def late_before_early(population: Population) -> Estimate:
     """
     runs = difficult_trials(population)
     return share(sum(_late_is_first(run) for run in runs), len(runs))
+
+
+def late_alone(population: Population) -> Estimate:
+    """Share of the runs that have a phase of late corrections alone.
+
+    It is a window of `WINDOW` difficult trials of which more than a half are corrected
+    late, before the first window with more than one early correction: one alone may
+    come of exploration.
+    """
+    runs = difficult_trials(population)
+    return share(sum(map(_is_late_alone, runs)), len(runs))
+
+
+def _is_late_alone(strategies: NDArray[np.int8]) -> bool:
+    whole = strategies[: len(strategies) // WINDOW * WINDOW].reshape(-1, WINDOW)
+    late, early = (
+        (whole == kind).sum(axis=1) for kind in (Strategy.LATE, Strategy.EARLY)
+    )
+    before = ~np.logical_or.accumulate(early > 1)
+    return bool((before & (late > WINDOW / 2)).any())
 
 
 def _late_is_first(strategies: NDArray[np.int8]) -> bool:

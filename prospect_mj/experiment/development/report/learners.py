@@ -14,6 +14,7 @@ from prospect_mj.experiment.development.claims.findings import Findings
 from prospect_mj.experiment.development.claims.single_runs import OF_SINGLE_RUNS
 from prospect_mj.experiment.development.measures.ages import AGES, AgeFound
 from prospect_mj.experiment.development.measures.measures import MEASURES
+from prospect_mj.experiment.development.measures.sequences import words
 from prospect_mj.experiment.development.report.all_claims import by_row
 from prospect_mj.experiment.development.report.cells import (
     ORDER_DEFINED,
@@ -21,7 +22,7 @@ from prospect_mj.experiment.development.report.cells import (
     order,
 )
 from prospect_mj.experiment.development.report.command import command
-from prospect_mj.experiment.development.study.measured import Told, words
+from prospect_mj.experiment.development.study.measured import Told
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.experiment.paper.measures.target import Verdict
 from prospect_mj.experiment.paper.report.markdown import definitions, table

@@ -5,6 +5,7 @@ from math import isinf, isnan
 
 import pyarrow as pa
 
+from prospect_mj.experiment.development.measures.sequences import NAMED
 from prospect_mj.experiment.development.study.abstract_told import Abstract
 from prospect_mj.experiment.development.study.measured import ORDER, Measured
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
@@ -131,4 +132,8 @@ COMPARED = (
     Compared("other_first", "other at the beginning", Kind.SHARE),
     Compared("optimal_last", "optimal at the end", Kind.SHARE),
     Compared("easy_worst", "worst block of easy trials", Kind.SHARE),
+    *(
+        Compared(name, f"runs with {name.replace('_', ', ')} alone", Kind.SHARE)
+        for name in NAMED
+    ),
 )

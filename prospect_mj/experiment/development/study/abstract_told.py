@@ -43,10 +43,20 @@ class Abstract(NamedTuple):
     """[1]"""
     easy_worst: float = nan
     """[1]"""
+    other_optimal: float = nan
+    """Share of the runs in which these alone prevail, one after the other [1]."""
+    other_early_optimal: float = nan
+    """[1], likewise."""
+    late_early_optimal: float = nan
+    """[1], likewise."""
+    other_late_early_optimal: float = nan
+    """[1], likewise."""
 
 
 _LEARNERS = {
-    ("linear", "allowed"): Abstract(250, nan, 0.0, 0, 20, 0.16, 0.03, 0.75, 0.97, 0.72),
+    ("linear", "allowed"): Abstract(
+        250, nan, 0.0, 0, 20, 0.16, 0.03, 0.75, 0.97, 0.72, other_optimal=0.82
+    ),
     ("linear", "suppressed"): Abstract(
         350, nan, 0.0, 0, 60, 0.93, 0.01, 0.22, 0.96, 0.95
     ),
@@ -67,7 +77,18 @@ _LEARNERS = {
     ),
     ("replay", "allowed"): Abstract(30, 70, 1.0, 40, 50, 0.10, 0.70, 0.61, 0.98, 0.97),
     ("replay", "suppressed"): Abstract(
-        50, 100, 1.0, 40, 80, 0.63, 0.85, 0.59, 0.98, 0.97
+        50,
+        100,
+        1.0,
+        40,
+        80,
+        0.63,
+        0.85,
+        0.59,
+        0.98,
+        0.97,
+        other_early_optimal=0.16,
+        other_late_early_optimal=0.83,
     ),
     ("table", "suppressed"): Abstract(
         90, 100, 0.96, 0, 0, 0.17, 0.15, 0.45, 0.98, 0.97
@@ -85,10 +106,10 @@ _LEARNERS = {
         50, 140, 1.0, 80, nan, nan, 0.98, 0.005, 0.98, 0.97
     ),
     ("discovery", "allowed"): Abstract(
-        60, 160, 1.0, 90, 120, 0.14, 0.92, 0.82, 0.95, 0.83
+        60, 160, 1.0, 90, 120, 0.14, 0.92, 0.82, 0.95, 0.83, other_early_optimal=0.95
     ),
     ("discovery", "suppressed"): Abstract(
-        80, 210, 1.0, 100, 170, 0.98, 0.94, 0.07, 0.93, 0.81
+        80, 210, 1.0, 100, 170, 0.98, 0.94, 0.07, 0.93, 0.81, late_early_optimal=0.80
     ),
 }
 

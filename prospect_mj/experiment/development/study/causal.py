@@ -14,7 +14,7 @@ from prospect_mj.agent import DiscoverySettings
 from prospect_mj.experiment.development.study.rows import Row, population
 from prospect_mj.experiment.development.study.settings import DOMINANT, StudySettings
 
-BASE = "as it is"
+BASE, SHARED = "as it is", "first feature shared"
 SOON, LATER = 50, 150
 """Trials after the pretraining at which contexts are split by force."""
 ORDERS: Mapping[str, tuple[int, int]] = MappingProxyType(
@@ -38,8 +38,8 @@ _ONE_BY_ONE: Mapping[str, DiscoverySettings] = MappingProxyType(
         "TD labels, all cached": DiscoverySettings(cache="all"),
         "return labels": DiscoverySettings(labels="return"),
         "return labels, all cached": DiscoverySettings(labels="return", cache="all"),
-        "first feature shared": DiscoverySettings(share_first=True),
-        "first feature shared, values inherited": DiscoverySettings(
+        SHARED: DiscoverySettings(share_first=True),
+        f"{SHARED}, values inherited": DiscoverySettings(
             share_first=True, revalue="inherit"
         ),
         "no feature re-used": DiscoverySettings(reuse=False),

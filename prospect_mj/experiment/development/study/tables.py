@@ -12,11 +12,13 @@ from prospect_mj.experiment.development.study.measured import (
     Measured,
     MeasuredCurves,
     Told,
+)
+from prospect_mj.experiment.development.study.results import Results
+from prospect_mj.experiment.development.study.row_tables import (
     measured_table,
     sequences_table,
     shares_table,
 )
-from prospect_mj.experiment.development.study.results import Results
 
 MEASURED, SHARES, SEQUENCES = "measured", "shares", "sequences"
 LOOKS, FOUND, ABSTRACT = "looks", "found", "abstract"

@@ -25,6 +25,13 @@ AT_ONCE = [[B] * 5] * 31
 TIME_OUTS = [[X, X, X, X, L]] * 6 + [[E] * 5] * 6 + [[B] * 5] * 19
 EARLY_FIRST = [[E] * 5] * 6 + [[L] * 5] * 6 + [[B] * 5] * 19
 
+EACH = "every single learner has that phase"
+
+
+def late_for(*blocks):
+    """Runs with as many blocks of late corrections before early ones."""
+    return [[[L] * 5] * n + [[E] * 5] * 6 + [[B] * 5] * (25 - n) for n in blocks]
+
 
 def findings(*runs, easy=None):
     made = population(runs * 5, None if easy is None else [easy] * 5 * len(runs))
@@ -106,8 +113,8 @@ def test_single_learners_go_the_same_way_or_the_opposite_one():
 
 
 def test_learners_that_differ_are_mixed_in_their_mean_alone():
-    runs = [[[L] * 5] * n + [[E] * 5] * 6 + [[B] * 5] * (25 - n) for n in range(2, 12)]
-    differing, mixed, alike = findings(*runs), findings(MIXED), findings(INFANT)
+    differing = findings(*late_for(*range(2, 12)))
+    mixed, alike = findings(MIXED), findings(INFANT)
     for found, expected in (
         (differing, Verdict.HOLDS),
         (mixed, Verdict.FAILS),
@@ -141,6 +148,22 @@ def test_a_phase_of_late_ones_alone_must_come_first():
     assert said(verdicts({CONJECTURED: findings(INFANT)}), "alone") is Verdict.HOLDS
     found = verdicts({CONJECTURED: findings(EARLY_FIRST)})
     assert said(found, "alone") is Verdict.FAILS
+
+
+def test_each_learner_has_a_phase_of_late_ones_or_only_their_mean_has():
+    all_, most = findings(*late_for(*range(2, 12))), findings(*late_for(1, 6, 7, 8))
+    assert said(verdicts({CONJECTURED: all_}), EACH) is Verdict.HOLDS
+    found = verdicts({CONJECTURED: most})
+    assert said(found, EACH) is Verdict.FAILS
+    assert said(found, "mixture of late and early") is Verdict.HOLDS
+
+
+def test_the_prediction_is_not_made_of_learners_half_of_which_have_no_such_phase():
+    some = findings(*late_for(*[1] * 5, *range(2, 12)))
+    claim = between_learners({"discovery": some}, {})
+    assert ABRUPTLY.judge(some).verdict is Verdict.HOLDS
+    assert claim.verdict is Verdict.FAILS
+    assert "late ones alone at first, 67 (" in claim.evidence
 
 
 def test_nothing_is_said_of_others_where_there_are_none():

@@ -155,6 +155,33 @@ def test_median_corrections_tell_the_order_of_a_run():
     assert found.estimate == 0.5
 
 
+def test_sequences_that_have_a_name_are_numbers_of_a_row():
+    trials = [X] * 10 + [E] * 10 + [B] * 80
+    timed_out, at_once = np.reshape([trials, [B] * 100], (2, 20, 5))
+    runs = population([timed_out] * 3 + [at_once])
+    found = sequences.named(sequences.sequences(runs), 4)
+    assert found["other_early_optimal"].estimate == 0.75
+    assert sum(one.estimate for one in found.values()) == 0.75
+    assert found["late_early_optimal"].high < 0.5, "none of four may be by chance"
+
+
+@pytest.mark.parametrize(
+    ("trials", "alone"),
+    [
+        ([L] * 6 + [X] * 4 + [E] * 10, True),
+        ([L] * 5 + [X] * 5 + [E] * 10, False),  # not more than a half
+        ([E] + [L] * 9 + [E] * 10, True),  # one alone may come of exploration
+        ([E] * 2 + [L] * 8 + [L] * 10, False),  # late, but not before
+        ([X] * 10 + [L] * 10 + [E] * 10, True),
+        ([L] * 5, False),
+        ([B] * 20, False),
+    ],
+)
+def test_a_run_has_a_phase_of_late_ones_alone_or_not(trials, alone):
+    run = np.reshape(trials + [B] * (100 - len(trials)), (20, 5))
+    assert sequences.late_alone(population([run])).estimate == alone
+
+
 def changed(runs):
     return changes.Changes.of(population(runs), np.random.default_rng(2), 200)
 

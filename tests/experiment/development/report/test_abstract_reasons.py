@@ -104,8 +104,8 @@ def test_nothing_is_told_without_rows_that_both_tasks_have():
 def test_numbers_that_differ_and_those_outside_are_counted_apart():
     recorded = {REPLAY: early(110), DISCOVERY: early(300)}
     text = told(recorded, {})
-    assert "| replay, suppressed | 10 | 1 | 0 | 50 / 50 | *100 / 110* |" in text
-    assert "| discovery, allowed | 10 | 1 | 1 | 60 / 60 | **160 / 300** |" in text
+    assert "| replay, suppressed | 12 | 1 | 0 | 50 / 50 | *100 / 110* |" in text
+    assert "| discovery, allowed | 11 | 1 | 1 | 60 / 60 | **160 / 300** |" in text
     counted = besides_table(besides(results(recorded, {}))).to_pylist()
     assert sum(one["outside"] for one in counted) == 2
     assert sum(one["differs"] for one in counted) == 1

@@ -247,10 +247,11 @@ def test_there_is_one_prediction_and_what_it_rests_on(whole):
     before, _, section = whole.partition("## A prediction")
     assert "\n## " not in section, "the report ends with it"
     assert before.rpartition("\n## ")[2].startswith("Claims\n")
-    assert "phase of late ones alone.* (holds)" in section
+    # Four runs are too few to tell of nearly all.
+    assert "has that phase of late corrections alone.* (undecided)" in section
     assert "abruptly, as if within ten difficult trials.* (holds)" in section
     # By hand all learners change at the same time.
-    assert "not within a learner.* (does not hold)" in section
+    assert "late ones alone before.* (does not hold)" in section
 
 
 @pytest.mark.parametrize("part", PARTS)
