@@ -123,11 +123,11 @@ def _write(axes: Axes, unmet: Sequence[Sequence[str]]) -> None:
     beside = {"textcoords": "offset points", "annotation_clip": False}
     style = {"fontsize": SMALL - 1, "color": INK, **beside}
     head = {**style, "fontsize": SMALL + 1, "xycoords": "axes fraction"}
-    axes.annotate("not met", (1, 1), (_ASIDE, 4), **head)
+    axes.annotate("criteria not met", (1, 1), (_ASIDE, 4), **head)
     for row, words in enumerate(unmet):
         weight = "normal" if words else "bold"
         place = {"xycoords": ("axes fraction", "data"), "va": "center"}
-        said = ", ".join(words) or AS_INFANTS
+        said = ", ".join(words) or f"none: {AS_INFANTS}"
         axes.annotate(said, (1, row), (_ASIDE, 0), weight=weight, **place, **style)
 
 

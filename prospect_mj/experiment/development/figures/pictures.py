@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
+from itertools import product
 from textwrap import wrap
 
 from prospect_mj.agent.failed_actions import RULES, FailedActions
@@ -12,6 +13,7 @@ from prospect_mj.experiment.development.figures import (
     found,
     haptics,
     intervals,
+    portraits,
     shares,
     single_runs,
 )
@@ -57,8 +59,8 @@ def pictures(results: Results, recording: Recording) -> Iterator[tuple[str, byte
     if results.worlds:
         yield "worlds", _worlds(results)
     if results.change:
-        for rule in RULES:
-            yield f"change_{rule}", _change(results, rule)
+        for world, rule in product(results.extent.changes, RULES):
+            yield f"change_{world}_{rule}", _change(results, world, rule)
     if results.found is not None:
         yield "found", found.found(results.found, jar_pictures(recording))
     if results.haptics is not None:
@@ -149,27 +151,26 @@ def _worlds(results: Results) -> bytes:
     return intervals.intervals("Worlds that look unlike each other", of, rows)
 
 
-def _change(results: Results, rule: FailedActions) -> bytes:
+def _change(results: Results, world: str, rule: FailedActions) -> bytes:
     rows = {
-        (one.row.then, one.row.name): one.development
+        one.row.name: one.development
         for one in results.change
-        if one.row.rule == rule
+        if (one.row.then, one.row.rule) == (world, rule)
     }
     draw = partial(Panel, beside=False)
     panels = [
         [
-            draw(f"{name}, {world}: formerly {trials}", rows[world, name], trials)
-            for world in results.extent.changes
+            draw(f"{name}: formerly {trials}", rows[name], trials)
             for trials in ("difficult", "easy")
         ]
         for name in DEFAULTS
     ]
-    title = f"After the world has changed; failed actions {rule}"
+    title = f"After the world has changed: {world}; failed actions {rule}"
     return shares.shares(title, _BANDS, panels, "trial after the change")
 
 
 def _grasps(results: HapticResults) -> Iterator[tuple[str, bytes]]:
-    yield "haptics_portraits", haptics.portraits(results.grasps, results.models)
+    yield "haptics_portraits", portraits.portraits(results.grasps, results.models)
     yield "haptics_separation", haptics.separation(results.told)
 
 

@@ -99,7 +99,9 @@ def change(results: Results) -> Iterator[str]:
     yield definitions(_OWN)
     for rule in RULES:
         yield f"### After a change, failed actions {rule}"
-        yield f"![Strategies after the change, {rule}](figures/change_{rule}.png)"
+        for world in results.extent.changes:
+            picture = f"figures/change_{world}_{rule}.png"
+            yield f"![Strategies after the change, {world}, {rule}]({picture})"
         yield from _changed(results, rule)
     yield command(results, "change")
 

@@ -20,6 +20,7 @@ from prospect_mj.experiment.development.figures import (
     shares,
     single_runs,
 )
+from prospect_mj.experiment.development.figures import jar as jar_figure
 from prospect_mj.experiment.development.figures.grid import COLOURS
 from prospect_mj.experiment.development.figures.shares import Panel
 from prospect_mj.experiment.development.measures.sequences import sequences
@@ -27,12 +28,18 @@ from prospect_mj.experiment.development.study.pictures import NO_JAR, JarPicture
 from prospect_mj.experiment.development.study.settings import Extent
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
 
+CHANGES = (
+    "change_post_allowed",
+    "change_post_suppressed",
+    "change_lamp-right_allowed",
+    "change_lamp-right_suppressed",
+)
 NAMES = {
     "learners": ("strategies", "sequences"),
     "causal": ("causal", "causal_splits", "causal_labels"),
     "population": ("population",),
     "worlds": ("worlds",),
-    "change": ("change_allowed", "change_suppressed"),
+    "change": CHANGES,
     "found": ("found",),
     "haptics": (
         "haptics_portraits",
@@ -96,7 +103,7 @@ def test_contributors_are_told_of_every_figure_and_its_part():
 def test_a_part_alone_is_drawn_alone():
     made = results(Extent(("change",), changes=("post",)))
     drawn = dict(pictures.pictures(made, None))
-    assert list(drawn) == ["change_allowed", "change_suppressed"]
+    assert tuple(drawn) == CHANGES[:2]
     for png in drawn.values():
         assert len(where(decoded(png), COLOURS[L])) > 100
 
@@ -184,27 +191,27 @@ def test_never_is_at_the_end_and_nothing_is_nowhere():
 def test_only_pixels_of_levels_that_say_something_are_marked():
     levels = np.zeros(N_BINS)
     levels[10:20], levels[60:70], levels[80] = 2.0, -2.0, 0.1
-    image = found.marked(jar("left"), levels).astype(int)[5, 1:-1]
+    image = jar_figure.marked(jar("left"), levels).astype(int)[5, 1:-1]
     blue, red = image[:, 2] - image[:, 0], image[:, 0] - image[:, 2]
     assert np.flatnonzero(blue > 20).tolist() == list(range(10, 20))
     assert np.flatnonzero(red > 20).tolist() == list(range(60, 70))
     assert (image[80] == image[0]).all()
-    around = found.marked(jar("left"), levels)[0]
+    around = jar_figure.marked(jar("left"), levels)[0]
     assert len(np.unique(around)) == 1
 
 
 def test_nothing_is_marked_where_nothing_is_said():
-    image = found.marked(jar("right"), np.zeros(N_BINS))
+    image = jar_figure.marked(jar("right"), np.zeros(N_BINS))
     assert (image == image.min(axis=-1, keepdims=True)).all()
 
 
 def test_a_picture_stands_in_the_middle_of_a_larger_one():
     image = np.full((2, 3, 3), 7, np.uint8)
-    shown = found.amid(image, np.array([4, 3]))
+    shown = jar_figure.amid(image, np.array([4, 3]))
     assert shown.shape == (4, 3, 3)
     assert (shown[1:3] == image).all()
     assert len(np.unique(shown[[0, 3]])) == 1
-    assert (found.amid(image, np.array([2, 3])) == image).all()
+    assert (jar_figure.amid(image, np.array([2, 3])) == image).all()
 
 
 def drawn_panels(monkeypatch, *jars):
@@ -228,8 +235,8 @@ def test_pictures_of_both_orientations_are_of_one_height_at_one_level(monkeypatc
 def test_scales_reach_to_what_is_drawn_and_start_at_nothing(monkeypatch):
     axes = drawn_panels(monkeypatch, jar("left"), jar("right"))
     under, over = (
-        [one for one in axes if one.get_ylabel() == label]
-        for label in ("histogram [1]", "says [1]")
+        [one for one in axes if one.get_ylabel() in label]
+        for label in (("histogram [1]",), ("share [1]", "weight [1]"))
     )
     assert len(under) == len(over) == 4
     for one in (*under, *over):

@@ -77,7 +77,7 @@ def test_parts_that_were_left_out_are_not_told():
 def test_what_is_linked_is_there(whole, monkeypatch):
     made = results()
     monkeypatch.setattr(pictures, "_strategies", lambda results: b"")
-    monkeypatch.setattr(pictures, "_change", lambda results, rule: b"")
+    monkeypatch.setattr(pictures, "_change", lambda *of: b"")
     monkeypatch.setattr(pictures, "_touches", lambda results, world: b"")
     monkeypatch.setattr(pictures, "jar_pictures", lambda recording: [])
     names = {f"figures/{name}.png" for name, _ in pictures.pictures(made, None)}
