@@ -87,15 +87,23 @@ def _prediction(found: list[Claim], spread: Mapping[str, Findings]) -> str:
 
 def _apart(spread: Mapping[str, Findings]) -> str:
     """What tells populations apart that may keep to the prediction alike."""
-    first = {
-        name: with_interval(one.measured[other_first.name], other_first.kind)
-        for name, one in spread.items()
-    }
-    if set(first) <= {CONJECTURED.learner}:
+    if set(spread) <= {CONJECTURED.learner}:
         return ""
-    told = "; ".join(f"*{name}*, {words}" for name, words in first.items())
-    return (
-        "It does not tell discovery from replay, as far as the last of these claims "
-        "holds for both. What comes before the corrections may: neither optimal nor "
-        f"corrected are, of the difficult ones of the first fifty trials, {told}."
+    alone = _each(
+        {name: f"{one.late_alone.words(0, 100)} %" for name, one in spread.items()}
     )
+    first = _each(
+        {
+            name: with_interval(one.measured[other_first.name], other_first.kind)
+            for name, one in spread.items()
+        }
+    )
+    return (
+        "What learners that differ do at first may tell discovery from replay. A phase "
+        f"of late corrections alone have, of all runs, {alone}. Neither optimal nor "
+        f"corrected are, of the difficult ones of the first fifty trials, {first}."
+    )
+
+
+def _each(words: Mapping[str, str]) -> str:
+    return "; ".join(f"*{name}*, {said}" for name, said in words.items())
