@@ -205,9 +205,10 @@ RESTS_ON = EACH_LATE_ALONE.name, ABRUPTLY.name, BETWEEN
 PREDICTION = (
     "A longitudinal study that films the same children every few days, in place of "
     "different children of three ages, will find two things if children learn as this "
-    "learner does, which does not repeat what has just failed. Each child has a phase of late corrections alone before its first "
-    "early ones, earlier than the 9 months at which both are about equally frequent in "
-    "the mean. And each child changes from late to early corrections within about ten "
-    "difficult trials: the mixture at 9 months is one of children, not within a child."
+    "learner does, which does not repeat what has just failed. Each child has a phase "
+    "of late corrections alone before its first early ones, earlier than the 9 months "
+    "at which both are about equally frequent in the mean. And each child changes from "
+    "late to early corrections within about ten difficult trials: the mixture at 9 "
+    "months is one of children, not within a child."
 )
 """That a study of children could refute."""
