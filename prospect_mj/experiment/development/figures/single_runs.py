@@ -5,6 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 from numpy.typing import NDArray
 
 from prospect_mj.experiment.development.figures.grid import (
@@ -27,12 +28,14 @@ RUNS = 40
 """That are drawn of each learner."""
 
 _OF = """\
-each row one of {shown} runs of {all}, the soonest optimal above; each cell ten of its \
-difficult trials;
-failed actions suppressed; colour: the strategy that prevails in them:"""
-_PLACES = (0.495, 0.545, 0.6, 0.68)
-"""Of the names of the colours, behind these words."""
-_HEIGHT = 0.885
+each row one of {shown} runs of {all}, the soonest optimal above; failed actions \
+suppressed
+{colours}"""
+_COLOURS = (
+    "each cell ten of its difficult trials; colour: the strategy that prevails in them:"
+)
+_LEFT, _HEIGHT, _GAP = 0.01, 0.885, 0.008
+"""Of the colours' line, and between its words [shares of the figure]."""
 
 
 def single_runs(populations: Mapping[str, Population]) -> bytes:
@@ -46,7 +49,7 @@ def single_runs(populations: Mapping[str, Population]) -> bytes:
     """
     size = Size(1, len(populations), 8.0, 4.6)
     numbers = [len(population.lid) for population in populations.values()]
-    of = _OF.format(shown=min(RUNS, *numbers), all=max(numbers))
+    of = _OF.format(shown=min(RUNS, *numbers), all=max(numbers), colours=_COLOURS)
     made = grid("What prevails in single runs", of, size)
     colours = [COLOURS[kind] for kind in Strategy]
     for axes, (learner, population) in zip(
@@ -86,7 +89,16 @@ def prevailing_cells(population: Population) -> NDArray[np.int64]:
 
 
 def _key(figure: Figure) -> None:
-    """The colours' names, each in its own."""
-    for place, (kind, colour) in zip(_PLACES, COLOURS.items(), strict=True):
+    """The colours' names behind their line, each in its own."""
+    right = _LEFT + _width(figure.text(_LEFT, _HEIGHT, _COLOURS, fontsize=SMALL))
+    figure.texts[-1].remove()
+    for kind, colour in COLOURS.items():
         style = {"color": colour, "fontweight": "bold", "fontsize": SMALL}
-        figure.text(place, _HEIGHT, kind.name.lower(), va="top", **style)
+        words = kind.name.lower()
+        text = figure.text(right + _GAP, _HEIGHT, words, va="top", **style)
+        right += _GAP + _width(text)
+
+
+def _width(text: Text) -> float:
+    """Of words [shares of the figure]."""
+    return text.get_window_extent().width / text.figure.bbox.width

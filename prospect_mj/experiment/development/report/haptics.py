@@ -55,7 +55,7 @@ number if grasps were normal densities.
 
 _EFFECT = """\
 Learners on the recorded outcomes, told of a grasp only the hand (two bits), its
-category as well, or, as a bound on what any category could do, the very end. Failed
+category as well, or the very end, as a category would that never errs. Failed
 actions are suppressed, the right hand was made dominant. With categories an insertion
 counts as split when it is for one of them.
 """
