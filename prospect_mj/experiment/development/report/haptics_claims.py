@@ -32,8 +32,8 @@ CHANCE = 0.5
 _EFFECTS: Mapping[Touch, tuple[str, tuple[Measure, ...]]] = MappingProxyType(
     {
         CATEGORY: (
-            "Told the category of each grasp, a learner is through sooner than told the "
-            "hand only with its corrections, of each kind that it makes.",
+            "Told the category of each grasp, a learner is through sooner than told "
+            "the hand only with its corrections, of each kind that it makes.",
             (late_gone, early_gone),
         ),
         END: (
