@@ -58,8 +58,9 @@ lint: $(DEV) ## style, format and import contracts
 study: $(DEV) $(GL) ## the slow studies: actions, reaches, supervisor, learning
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m slow --timeout 7200 $(ARGS)
 
-smoke: $(DEV) $(RIVALS) $(GL) ## all of the study in few runs, and an installed package
+smoke: $(DEV) $(RIVALS) $(GL) ## the study in few runs, an installed package, a cluster
 	$(BIN)/python -m pytest -n $(JOBS) -m slow --timeout 600 tests/test_packaging.py \
+	tests/recording/test_ray.py \
 	tests/experiment/development/study/test_whole_study.py $(ARGS)
 
 agents: $(DEV) $(AGENTS) $(GL) ## install Stable-Baselines3, and let the examples train

@@ -64,6 +64,13 @@ def check_commands(installed: Path, physics: str) -> None:
     prospect(installed, "train", *few, "--record", "all")
     prospect(installed, "replay", "run", "--trial", "0", "--save", "trial.rrd")
     assert Path("trial.rrd").stat().st_size > 10_000
+    # The others learn from live physics as the paper's does.
+    for learner in ("replay", "table", "discovery"):
+        rule = ("--failed-actions", "suppressed", "--gross-motion", "cartesian")
+        folder = f"run-{learner}"
+        others = (*few[:-1], folder, "--learner", learner, *rule)
+        prospect(installed, "train", *others)
+        prospect(installed, "evaluate", folder, "--trials", "1")
 
 
 if __name__ == "__main__":
