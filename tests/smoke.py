@@ -70,7 +70,7 @@ def check_commands(installed: Path, physics: str) -> None:
         folder = f"run-{learner}"
         others = (*few[:-1], folder, "--learner", learner, *rule)
         prospect(installed, "train", *others)
-        prospect(installed, "evaluate", folder, "--trials", "1")
+        prospect(installed, "evaluate", folder, "--trials", "2")
 
 
 if __name__ == "__main__":
