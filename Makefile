@@ -58,10 +58,8 @@ lint: $(DEV) ## style, format and import contracts
 study: $(DEV) $(GL) ## the slow studies: actions, reaches, supervisor, learning
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m slow --timeout 7200 $(ARGS)
 
-smoke: $(DEV) $(RIVALS) $(GL) ## the study in few runs, an installed package, a cluster
-	$(BIN)/python -m pytest -n $(JOBS) -m slow --timeout 600 tests/test_packaging.py \
-	tests/recording/test_ray.py \
-	tests/experiment/development/study/test_whole_study.py $(ARGS)
+smoke: $(DEV) $(RIVALS) $(GL) ## whole commands, an installed package, a Ray cluster
+	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m smoke --timeout 600 $(ARGS)
 
 agents: $(DEV) $(AGENTS) $(GL) ## install Stable-Baselines3, and let the examples train
 	AGENTS=true $(BIN)/python -m pytest -m 'slow or not slow' tests/examples \

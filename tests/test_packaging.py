@@ -96,7 +96,7 @@ def installed(wheel, tmp_path_factory) -> Path:
 
 
 @pytest.mark.gl
-@pytest.mark.slow
+@pytest.mark.smoke
 @pytest.mark.parametrize("physics", ["recorded", "live"])
 def test_an_installed_package_works_outside_of_the_checkout(
     physics, installed, tmp_path

@@ -193,6 +193,7 @@ def test_without_opengl_it_says_what_to_type(backend, remedy, monkeypatch):
 
 
 @pytest.mark.gl
+@pytest.mark.smoke
 def test_with_opengl_it_measures(monkeypatch):
     monkeypatch.setattr(rendering, "SLOW", 0.0)
     opengl, look, action = rendering.look_at_rendering()

@@ -154,6 +154,7 @@ def test_two_instances_with_the_same_seed_are_bit_identical(rolled):
         other.close()
 
 
+@pytest.mark.smoke
 def test_two_processes_with_the_same_seed_are_bit_identical(rolled):
     code = (
         "import sys; sys.path.insert(0, sys.argv[1])\n"

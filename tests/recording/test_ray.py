@@ -22,7 +22,7 @@ from prospect_mj.recording.growth import Growth, Unit, grown
 from prospect_mj.recording.key import RecordingKey
 from prospect_mj.recording.workers import Workers
 
-pytestmark = [pytest.mark.gl, pytest.mark.slow]
+pytestmark = [pytest.mark.gl, pytest.mark.smoke]
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -102,6 +102,7 @@ def record(out, *options):
     )
 
 
+@pytest.mark.smoke
 def test_killed_and_gone_on_with_it_has_the_same_bytes(grown, tmp_path):
     """SIGKILL to all its processes, as soon as something is kept."""
     out = tmp_path / "killed"

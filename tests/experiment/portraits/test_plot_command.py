@@ -208,6 +208,7 @@ def test_grasps_that_are_too_many_or_too_few_are_refused(run, capsys, number):
     assert "--grasps" in refused(capsys, run, "--grasps", number)
 
 
+@pytest.mark.smoke
 def test_recorded_physics_is_drawn_without_mujoco(tmp_path):
     """A machine that only learns needs no OpenGL to look at what it learned."""
     path = tmp_path / "run"

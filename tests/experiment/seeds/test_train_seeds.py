@@ -294,6 +294,7 @@ def begun(out):
     return process, folders
 
 
+@pytest.mark.smoke
 def test_the_same_again_goes_on_after_a_kill_of_the_command_alone(tmp_path):
     """Its processes end with it, and give back the folders of their runs."""
     process, folders = begun(tmp_path / "out")
@@ -308,6 +309,7 @@ def test_the_same_again_goes_on_after_a_kill_of_the_command_alone(tmp_path):
         assert n_finished(folder) < 30
 
 
+@pytest.mark.smoke
 def test_an_interruption_is_one_line(tmp_path):
     """Also of Python itself, which counts the semaphores that processes left behind."""
     process, _ = begun(tmp_path / "out")

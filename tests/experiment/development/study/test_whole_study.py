@@ -19,7 +19,7 @@ def parts():
 
 
 @pytest.mark.gl
-@pytest.mark.slow
+@pytest.mark.smoke
 def test_the_study_of_the_shipped_recordings_is_whole(tmp_path):
     argv = [*FEW.split(), "--out", str(tmp_path), "--parts", *parts()]
     assert command.main(argv) == 0
