@@ -15,11 +15,12 @@ from prospect_mj.experiment.development.figures.grid import (
     name,
 )
 from prospect_mj.experiment.development.measures.sequences import (
+    NO_MAJORITY,
     WINDOW,
     difficult_trials,
     windows,
 )
-from prospect_mj.experiment.paper.figures.figure_frame import SMALL
+from prospect_mj.experiment.paper.figures.figure_frame import INK, SMALL
 from prospect_mj.experiment.populations.population import Population
 from prospect_mj.experiment.populations.strategies import Strategy
 from prospect_mj.experiment.run.plots import png
@@ -32,8 +33,10 @@ each row one of {shown} runs of {all}, the soonest optimal above; failed actions
 suppressed
 {colours}"""
 _COLOURS = (
-    "each cell ten of its difficult trials; colour: the strategy that prevails in them:"
+    "each cell ten of its difficult trials; colour: what more than a half of them are:"
 )
+_NONE = "#ffffff"
+"""Of a cell in which no strategy prevails."""
 _LEFT, _HEIGHT, _GAP = 0.01, 0.885, 0.008
 """Of the colours' line, and between its words [shares of the figure]."""
 
@@ -58,8 +61,8 @@ def single_runs(populations: Mapping[str, Population]) -> bytes:
         cells = prevailing_cells(population)
         axes.imshow(
             cells,
-            cmap=ListedColormap(colours),
-            vmin=-0.5,
+            cmap=ListedColormap([_NONE, *colours]),
+            vmin=NO_MAJORITY - 0.5,
             vmax=len(colours) - 0.5,
             aspect="auto",
             interpolation="nearest",
@@ -78,8 +81,8 @@ def prevailing_cells(population: Population) -> NDArray[np.int64]:
     """The strategy that prevails in each window of some runs.
 
     Returns:
-        (runs, windows): numbers of `Strategy`, as far as all runs have trials; the run
-        that is optimal first comes first.
+        (runs, windows): numbers of `Strategy`, or `NO_MAJORITY`, as far as all runs
+        have trials; the run that is optimal first comes first.
     """
     runs = [windows(run) for run in difficult_trials(population)[:RUNS]]
     cells = np.array([run[: min(map(len, runs))] for run in runs])
@@ -97,6 +100,8 @@ def _key(figure: Figure) -> None:
         words = kind.name.lower()
         text = figure.text(right + _GAP, _HEIGHT, words, va="top", **style)
         right += _GAP + _width(text)
+    style = {"color": INK, "fontsize": SMALL}
+    figure.text(right + _GAP, _HEIGHT, "(white: none)", va="top", **style)
 
 
 def _width(text: Text) -> float:

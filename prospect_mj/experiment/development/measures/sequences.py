@@ -14,7 +14,9 @@ from prospect_mj.experiment.populations.population import Population
 from prospect_mj.experiment.populations.strategies import Strategy, easy
 
 WINDOW = 10
-"""Difficult trials of a run in which one strategy prevails."""
+"""Difficult trials of a run; what more than a half of them follow prevails."""
+NO_MAJORITY = -1
+"""In place of a strategy's number, where none prevails."""
 
 Sequence = tuple[Strategy, ...]
 """Strategies that prevail one after the other, each other than the one before."""
@@ -51,25 +53,26 @@ def difficult_trials(population: Population) -> list[NDArray[np.int8]]:
     return [strategy[is_hard] for strategy, is_hard in pairs]
 
 
-def windows(strategies: NDArray[np.int8]) -> list[Strategy]:
-    """The strategy that prevails in each window of a run.
+def windows(strategies: NDArray[np.int8]) -> list[int]:
+    """The strategy that more than a half of the trials follow, window by window.
 
     Args:
-        strategies: (n,) of its difficult trials; those that fill no window are left
-            out. Of two that are as frequent, the one of the window before prevails, or
-            the first by number.
+        strategies: (n,) of a run's difficult trials; those that fill no window are left
+            out.
+
+    Returns:
+        Numbers of `Strategy`; `NO_MAJORITY` where none is followed so often.
     """
-    found: list[Strategy] = []
-    for window in strategies[: len(strategies) // WINDOW * WINDOW].reshape(-1, WINDOW):
-        counts = np.bincount(window, minlength=len(Strategy))
-        stays = bool(found) and counts[found[-1]] == counts.max()
-        found.append(found[-1] if stays else Strategy(int(counts.argmax())))
-    return found
+    whole = strategies[: len(strategies) // WINDOW * WINDOW].reshape(-1, WINDOW)
+    counts = np.stack([(whole == kind).sum(axis=1) for kind in Strategy], axis=1)
+    most = counts.argmax(axis=1)
+    return np.where(counts.max(axis=1) > WINDOW / 2, most, NO_MAJORITY).tolist()
 
 
 def prevailing(strategies: NDArray[np.int8]) -> Sequence:
     """The strategies that prevail one after the other in the `windows` of a run."""
-    return tuple(strategy for strategy, _ in groupby(windows(strategies)))
+    told = (Strategy(one) for one in windows(strategies) if one != NO_MAJORITY)
+    return tuple(strategy for strategy, _ in groupby(told))
 
 
 def sequences(population: Population) -> list[SequenceShare]:

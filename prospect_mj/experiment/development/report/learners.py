@@ -70,7 +70,8 @@ def learners(results: Results) -> Iterator[str]:
     yield "### Single runs"
     yield (
         "Strategies that prevail one after the other in windows of ten difficult "
-        "trials of a run, and the share of the runs with this sequence."
+        "trials of a run, being more than a half of these, and the share of the runs "
+        "with this sequence. Windows in which none prevails are passed over."
     )
     yield "![Single runs](figures/sequences.png)"
     yield _sequences(rows)

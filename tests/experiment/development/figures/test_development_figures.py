@@ -23,7 +23,7 @@ from prospect_mj.experiment.development.figures import (
 from prospect_mj.experiment.development.figures import jar as jar_figure
 from prospect_mj.experiment.development.figures.grid import COLOURS
 from prospect_mj.experiment.development.figures.shares import Panel
-from prospect_mj.experiment.development.measures.sequences import sequences
+from prospect_mj.experiment.development.measures.sequences import NO_MAJORITY, sequences
 from prospect_mj.experiment.development.study.pictures import NO_JAR, JarPicture
 from prospect_mj.experiment.development.study.settings import Extent
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
@@ -149,11 +149,16 @@ def test_cells_are_what_prevails_in_ten_difficult_trials():
     assert cells.tolist() == [[X, B, B], [L, E, B]]
 
 
-def test_a_tie_is_the_same_in_the_picture_as_in_the_table_of_sequences():
+def test_what_has_no_majority_is_left_white_and_is_in_no_sequence():
     tied = population([[*[[L] * 5] * 3, *[[E] * 5] * 3]])
-    assert single_runs.prevailing_cells(tied).tolist() == [[L, L, E]]
+    assert single_runs.prevailing_cells(tied).tolist() == [[L, NO_MAJORITY, E]]
     ((sequence, _),) = sequences(tied)
     assert sequence == (L, E)
+    shown, whole = (
+        decoded(single_runs.single_runs({"one": population(runs)}))
+        for runs in ([[*[[L] * 5] * 3, *[[E] * 5] * 3]], [[[L] * 5] * 6])
+    )
+    assert len(where(shown, COLOURS[L])) < len(where(whole, COLOURS[L])) / 2
 
 
 def test_single_runs_are_few_and_coloured(drawn):

@@ -133,9 +133,13 @@ def test_nothing_is_above_the_level_after_the_end(shares, level):
         assert end == 10 * (above[-1] + 1)
 
 
-def test_prevailing_strategies_are_collapsed_and_ties_stay():
+def test_what_more_than_a_half_follow_prevails_and_all_else_is_passed_over():
     trials = [L] * 10 + [L] * 5 + [E] * 5 + [E] * 10 + [B] * 10 + [B] * 9
     assert sequences.prevailing(np.array(trials, np.int8)) == (L, E, B)
+    # Five of ten are no majority, whatever the others are.
+    mixed = [L] * 6 + [B] * 4 + [X] * 5 + [E] * 3 + [B] * 2 + [L] * 7 + [E] * 3
+    assert sequences.prevailing(np.array(mixed, np.int8)) == (L,)
+    assert sequences.windows(np.array(mixed, np.int8))[1] == sequences.NO_MAJORITY
     assert sequences.prevailing(np.array([X] * 6 + [L] * 4, np.int8)) == (X,)
     assert sequences.prevailing(np.array([L] * 9, np.int8)) == ()
 
