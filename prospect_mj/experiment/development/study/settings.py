@@ -104,14 +104,14 @@ class Extent:
     def __post_init__(self) -> None:
         """Refuse what isn't there."""
         for name, given, known in (
-            ("part", self.parts, PARTS),
-            ("world", self.worlds, IMAGE_WORLDS),
-            ("change", self.changes, CHANGES),
+            ("parts", self.parts, PARTS),
+            ("worlds", self.worlds, IMAGE_WORLDS),
+            ("changes", self.changes, CHANGES),
         ):
             for one in given:
                 check_choice(name, one, known)
             if len(set(given)) < len(given) or not given:
-                raise InvalidValue(f"{name}s", given, "one at least, and each once")
+                raise InvalidValue(name, given, "one at least, and each once")
 
     @property
     def all_worlds(self) -> tuple[str, ...]:

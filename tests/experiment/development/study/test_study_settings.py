@@ -62,9 +62,9 @@ def test_what_the_study_accepts_its_parts_accept(grasped, planned):
 @pytest.mark.parametrize(
     ("extent", "words"),
     [
-        ({"parts": ("learners", "dance")}, "part is 'dance'; valid: learners, causal"),
-        ({"worlds": ("moon",)}, "world is 'moon'; valid: standard"),
-        ({"changes": ("noisy",)}, "change is 'noisy'; valid: post, lamp-right"),
+        ({"parts": ("learners", "dance")}, "parts is 'dance'; valid: learners, causal"),
+        ({"worlds": ("moon",)}, "worlds is 'moon'; valid: standard"),
+        ({"changes": ("noisy",)}, "changes is 'noisy'; valid: post, lamp-right"),
         ({"parts": ()}, "parts"),
         ({"worlds": ("standard", "standard")}, "worlds"),
     ],
