@@ -181,8 +181,8 @@ def between_learners(
         evidence += _others(also, len(found))
     return Claim(
         "Where learners differ, late and early corrections are mixed in their mean, "
-        "more than where they are equal, and not within a learner, each of which has a "
-        "phase of late ones alone before.",
+        "more than where they are equal, and not within a learner; nearly each of them "
+        "has a phase of late ones alone before.",
         its,
         evidence,
         f"{CONJECTURED.learner}, unlike learners",
@@ -205,9 +205,8 @@ RESTS_ON = EACH_LATE_ALONE.name, ABRUPTLY.name, BETWEEN
 PREDICTION = (
     "A longitudinal study that films the same children every few days, in place of "
     "different children of three ages, will find two things if children learn as this "
-    "learner does, which does not repeat what has just failed. Each child has a phase "
-    "of late corrections alone before its first early ones, earlier than the 9 months "
-    "at which both are about equally frequent in the mean. And each child changes from "
+    "learner does, which does not repeat what has just failed. Nearly each child has a "
+    "phase of late corrections alone before early ones recur. And a child changes from "
     "late to early corrections within about ten difficult trials: the mixture at 9 "
     "months is one of children, not within a child."
 )

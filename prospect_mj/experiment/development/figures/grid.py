@@ -1,6 +1,6 @@
 """Small multiples in the frame of the other figures."""
 
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -50,7 +50,11 @@ class Size(NamedTuple):
 
 
 def grid(
-    title: str, of: str, size: Size, sharex: bool = True, sharey: bool = True
+    title: str,
+    of: str,
+    size: Size,
+    sharex: bool = True,
+    sharey: bool | Literal["row"] = True,
 ) -> Grid:
     """Empty panels under a heading.
 
@@ -59,7 +63,7 @@ def grid(
         of: what is shown; may have several lines.
         size: panels, and the figure's own.
         sharex: whether all panels have one axis of x.
-        sharey: the same of y.
+        sharey: the same of y, or all of a row.
     """
     figure = Figure((size.width, size.height), dpi=150, layout="constrained")
     lines = 1 + of.count("\n")

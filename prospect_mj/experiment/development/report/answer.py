@@ -28,9 +28,9 @@ _SEQUENCE = "late_gone", "early_gone", "dominance", "easy_worst"
 
 _OTHER_PARTS = {
     NEEDS: (
-        "With contexts split by force, and values that follow as they do in it, "
-        "development by all criteria {} that insertions split before grasps and that "
-        "values are re-estimated at the split.",
+        "With contexts split by force, and values that follow as in the discovery "
+        "learner as it is, development by all criteria {} that insertions split before "
+        "grasps and that values are re-estimated at the split.",
         {
             Verdict.HOLDS: "needs both",
             Verdict.FAILS: "does not need both",

@@ -1,6 +1,6 @@
 """What the report begins and ends with: the answer; the claims and the prediction."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from prospect_mj.experiment.development.claims.claim import CONJECTURED, Claim
 from prospect_mj.experiment.development.claims.claims import PREDICTION, RESTS_ON
@@ -15,6 +15,8 @@ from prospect_mj.experiment.development.report.answer import answer
 from prospect_mj.experiment.development.report.command import command
 from prospect_mj.experiment.development.study.results import Results
 from prospect_mj.experiment.development.study.settings import Part
+from prospect_mj.experiment.estimate import Estimate
+from prospect_mj.experiment.paper.measures.bootstrap import Interval
 from prospect_mj.experiment.paper.measures.quantity import with_interval
 from prospect_mj.experiment.paper.measures.target import Verdict
 from prospect_mj.experiment.paper.report.markdown import table
@@ -86,23 +88,28 @@ def _prediction(found: list[Claim], spread: Mapping[str, Findings]) -> str:
 
 
 def _apart(spread: Mapping[str, Findings]) -> str:
-    """What tells populations apart that may keep to the prediction alike."""
+    """Whether what comes first tells populations apart, that may keep to it alike."""
     if set(spread) <= {CONJECTURED.learner}:
         return ""
-    alone = _each(
-        {name: f"{one.late_alone.words(0, 100)} %" for name, one in spread.items()}
-    )
+    alone = {name: one.late_alone for name, one in spread.items()}
+    others = {name: one.measured[other_first.name] for name, one in spread.items()}
+    told = any(map(_is_disjoint, (alone.values(), others.values())))
+    late = _each({name: f"{one.words(0, 100)} %" for name, one in alone.items()})
     first = _each(
-        {
-            name: with_interval(one.measured[other_first.name], other_first.kind)
-            for name, one in spread.items()
-        }
+        {name: with_interval(one, other_first.kind) for name, one in others.items()}
     )
     return (
-        "What learners that differ do at first may tell discovery from replay. A phase "
-        f"of late corrections alone have, of all runs, {alone}. Neither optimal nor "
-        f"corrected are, of the difficult ones of the first fifty trials, {first}."
+        f"What learners that differ do at first {'tells' if told else 'does not tell'} "
+        "discovery from replay. A phase of late corrections alone have, of all runs, "
+        f"{late}. Neither optimal nor corrected are, of the difficult ones of the "
+        f"first fifty trials, {first}."
     )
+
+
+def _is_disjoint(found: Iterable[Interval | Estimate]) -> bool:
+    """Whether one interval is above all of another one."""
+    bounds = [(one.low, one.high) for one in found]
+    return max(low for low, _ in bounds) > min(high for _, high in bounds)
 
 
 def _each(words: Mapping[str, str]) -> str:

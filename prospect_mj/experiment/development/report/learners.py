@@ -53,7 +53,7 @@ def learners(results: Results) -> Iterator[str]:
     rows = results.learners
     yield "## Every learner under both rules"
     yield _SCENARIO.rstrip()
-    yield "![Strategies of the four learners](figures/strategies.png)"
+    yield "![Strategies of the four learners, and of a control](figures/strategies.png)"
     for rule in RULES:
         of_rule = [one for one in rows if one.row.rule == rule]
         yield f"### Failed actions {rule}"

@@ -158,7 +158,7 @@ def test_each_learner_has_a_phase_of_late_ones_or_only_their_mean_has():
     assert said(found, "mixture of late and early") is Verdict.HOLDS
 
 
-def test_the_prediction_is_not_made_of_learners_half_of_which_have_no_such_phase():
+def test_no_prediction_comes_of_learners_a_third_of_which_have_no_such_phase():
     some = findings(*late_for(*[1] * 5, *range(2, 12)))
     claim = between_learners({"discovery": some}, {})
     assert ABRUPTLY.judge(some).verdict is Verdict.HOLDS

@@ -10,6 +10,7 @@ import pytest
 import study_by_hand
 from hand_made_runs import B, E, L, X, population
 from matplotlib.axes import Axes
+from matplotlib.patches import Rectangle
 from study_by_hand import EXTENT, results
 
 from prospect_mj.agent.features import N_BINS
@@ -24,6 +25,7 @@ from prospect_mj.experiment.development.figures import jar as jar_figure
 from prospect_mj.experiment.development.figures.grid import COLOURS
 from prospect_mj.experiment.development.figures.shares import Panel
 from prospect_mj.experiment.development.measures.sequences import NO_MAJORITY, sequences
+from prospect_mj.experiment.development.study.found import Range
 from prospect_mj.experiment.development.study.pictures import NO_JAR, JarPicture
 from prospect_mj.experiment.development.study.settings import Extent
 from prospect_mj.experiment.paper.measures.bootstrap import Interval
@@ -219,14 +221,29 @@ def test_a_picture_stands_in_the_middle_of_a_larger_one():
     assert (jar_figure.amid(image, np.array([2, 3])) == image).all()
 
 
-def drawn_panels(monkeypatch, *jars):
+def drawn_panels(monkeypatch, *jars, example=None):
     """Panels of what was found, laid out."""
     figures = []
     monkeypatch.setattr(found, "png", lambda figure: figures.append(figure) or b"")
-    found.found(study_by_hand.found(), jars)
+    what = study_by_hand.found()
+    found.found(what if example is None else what._replace(example=example), jars)
     (figure,) = figures
     figure.draw_without_rendering()
     return figure.axes
+
+
+def test_what_a_feature_takes_off_is_hollow_and_on_a_line_of_its_own(monkeypatch):
+    taking = [Range("grasp", 9, 12, 70, 71, 0)]
+    axes = drawn_panels(monkeypatch, jar("left"), jar("right"), example=taking)
+    (panel,) = (one for one in axes if one.get_title("left").startswith("discovery: g"))
+    bars = [one for one in panel.patches if isinstance(one, Rectangle)]
+    assert [one.get_fill() and one.get_facecolor()[3] > 0 for one in bars] == [1, 0]
+    added, taken = bars
+    assert (added.get_x(), added.get_width()) == (8.5, 3)
+    assert (taken.get_x(), taken.get_width()) == (69.5, 1)
+    assert taken.get_y() + taken.get_height() < added.get_y()
+    # Both are below the histograms.
+    assert added.get_y() + added.get_height() < 0
 
 
 def test_pictures_of_both_orientations_are_of_one_height_at_one_level(monkeypatch):
@@ -247,6 +264,9 @@ def test_scales_reach_to_what_is_drawn_and_start_at_nothing(monkeypatch):
     for one in (*under, *over):
         ticks = one.get_yticks()
         assert ticks[0] == 0.0
+        # What is said reaches half as high as the histograms, on whose panel it is.
+        room = one.get_ylim()[1] * (0.5 if one in over else 1.0)
+        assert ticks[-1] >= room / 2
         assert one.get_ylim()[0] <= 0.0 < ticks[-1] <= one.get_ylim()[1]
     for pair in zip(under, over, strict=True):
         nothing = [np.interp(0.0, one.get_ylim(), (0, 1)) for one in pair]

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 import study_by_hand
-from study_by_hand import EXTENT, results
+from study_by_hand import EXTENT, findings, results
 
 from prospect_mj.agent.learners import DEFAULTS
 from prospect_mj.cli import command_line
@@ -24,6 +24,7 @@ from prospect_mj.experiment.development.measures.ages import AGES
 from prospect_mj.experiment.development.measures.measures import MEASURES
 from prospect_mj.experiment.development.report.answer import answer
 from prospect_mj.experiment.development.report.command import command
+from prospect_mj.experiment.development.report.frame import closing
 from prospect_mj.experiment.development.report.report import Made, report
 from prospect_mj.experiment.development.study import causal, learners
 from prospect_mj.experiment.development.study.settings import (
@@ -255,6 +256,14 @@ def test_there_is_one_prediction_and_what_it_rests_on(whole):
     # Whoever keeps to it alike may be told apart by what comes first.
     told = "of all runs, *discovery*, 100 (51 to 100) %; *replay*, 100 (51 to 100) %."
     assert told in section
+    assert "at first does not tell discovery from replay" in section
+
+
+def test_what_comes_first_tells_learners_apart_where_it_differs_by_whole_intervals():
+    made = results()
+    other = findings("at once")
+    made.population[1] = made.population[1]._replace(findings=other)
+    assert "at first tells discovery from replay" in "\n".join(closing(made))
 
 
 @pytest.mark.parametrize("part", PARTS)
